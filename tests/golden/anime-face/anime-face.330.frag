@@ -56,7 +56,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 const ProfileShape lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
@@ -85,97 +84,48 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (((floatBitsToUint(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / sqrt(square))));
 }
 
-float exp2_stable(float x) {
-    float clamped_3 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_3);
-    float f = (clamped_3 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_1) {
-    float clamped_4 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_4);
-    float f_1 = (clamped_4 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_3) {
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_4) {
-    float y_3 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
+vec3 normalize_quick(vec3 v_1, vec3 otherwise_1) {
     float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+    bool is_usable = ((square_1 > 1e-30) && true);
+    return (is_usable ? (v_1 * inversesqrt((is_usable ? square_1 : 1.0))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_2) {
+    return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_3, c);
+}
+
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_4 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_1));
+    vec2 turned = (((s_4 <= 0.0) && (s_4 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_3 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
-    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper_1);
+    float s_5 = (u_2.half_sin - 0.0);
+    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, u_2.half_cos));
+    vec2 turned_1 = (((s_5 <= 0.0) && (s_5 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
@@ -183,16 +133,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_3 : -(t_3));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -222,165 +164,132 @@ LitLayer light_apply_3_(Light light_2, vec4 color_5, float tone_5) {
     return LitLayer(vec4(((color_5.xyz * light_2.color) * split_2.y), 1.0), (tone_5 * split_2.x));
 }
 
-Angle parametrization_diffuse(Light light_3, vec3 normal) {
-    vec3 _e6 = normalize_moderate(normal, vec3(0.0, 0.0, 1.0));
+Angle parametrization_diffuse_balanced(Light light_3, vec3 normal) {
+    vec3 _e6 = normalize_quick(normal, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e6 - light_3.direction))), (0.5 * length((_e6 + light_3.direction))));
 }
 
-Angle parametrization_specular(Light light_4, vec3 normal_1, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal_1, view)) * normal_1) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal_1);
-    return Angle((0.5 * length((_e8 - light_4.direction))), (0.5 * length((_e8 + light_4.direction))));
+Angle parametrization_specular_balanced(Light light_4, vec3 normal_1, vec3 view) {
+    vec3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
+    return Angle((0.5 * length((d - light_4.direction))), (0.5 * length((d + light_4.direction))));
 }
 
-Angle parametrization_screen_aligned(Light light_5, vec3 normal_2, mat3x3 camera_from_world) {
-    vec3 n = (camera_from_world * normal_2);
-    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
-    return Angle((0.5 * length((_e8 - light_5.own_direction))), (0.5 * length((_e8 + light_5.own_direction))));
+Angle parametrization_screen_aligned_balanced(Light light_5, vec3 normal_2, mat3x3 camera_from_world) {
+    vec3 d_1 = (camera_from_world * normal_2);
+    return Angle((0.5 * length((d_1 - light_5.own_direction))), (0.5 * length((d_1 + light_5.own_direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_1 = (s_4 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    return (((s_5 <= 0.0) || false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    if (((false || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
     float width_1 = sqrt((w_1 * w_1));
-    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_1)), 0.0, 1.0);
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_1, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_4) {
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3) {
+    vec2 place = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_2);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+}
+
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_4_(Angle angle_3, float shift_3, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift_3));
-    Angle _e6 = angle_turned(angle_3, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_6.half_cos_offset) - (_e6.half_cos * shape_6.half_sin_offset)), _e14, shape_6);
+    return _e15;
 }
 
 vec4 shade(Surface surface_1) {
     vec3 normal_3 = surface_1.normal;
-    vec3 place = surface_1.position_object;
-    vec3 from_the_face_s_middle = (place - vec3(0.0, 0.52, -0.18));
+    vec3 place_1 = surface_1.position_object;
+    vec3 from_the_face_s_middle = (place_1 - vec3(0.0, 0.52, -0.18));
     vec3 flattened = (from_the_face_s_middle * vec3(1.0, 0.35, 1.0));
     vec3 _e15 = normalize_or(flattened, vec3(0.0));
-    VectorParts high = VectorParts(place.x, place.y, place.z);
+    VectorParts high = VectorParts(place_1.x, place_1.y, place_1.z);
     float is_face = smoothstep(0.02, 0.16, high.y);
     vec3 face_or_body = mix(normal_3, _e15, is_face);
-    vec3 _e27 = normalize_moderate(face_or_body, vec3(0.0));
-    Light _e30 = u_look.key;
-    Angle _e31 = parametrization_diffuse(_e30, _e27);
-    float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
-    float soft_dark = (1.0 - _e34);
-    vec4 _e49 = blend_shade(vec4(0.9843, 0.8902, 0.8118, 1.0), vec4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
-    float _e52 = profile_2_(_e31, 0.0, lit_shape);
-    float in_shadow = (1.0 - _e52);
-    vec4 _e62 = blend_shade_2_(_e49, vec4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    float _e65 = curvature_signed(surface_1.kappa, 0.55);
-    float inked_hollows_convexity = (0.5 + (0.5 * _e65));
-    vec4 _e77 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e80 = u_look.eye;
-    LitLayer _e82 = light_apply(_e80, _e77, 1.0);
-    vec4 inked_hollows_blend = clamp(vec4((_e62.xyz + (0.9 * ((_e62.xyz * (_e82.tone * _e82.color.xyz)) - _e62.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Light _e104 = u_look.key;
-    Angle _e107 = parametrization_specular(_e104, surface_1.normal, surface_1.view);
-    float _e110 = curvature_signed(surface_1.kappa, 0.2);
-    float rim_light_convexity = (0.5 + (0.5 * _e110));
+    vec3 shading_direction = (face_or_body * inversesqrt(max(dot(face_or_body, face_or_body), 1e-30)));
+    Light _e32 = u_look.key;
+    Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
+    float _e36 = profile_balanced(_e33, 0.0, edge_of_the_shadow_shape);
+    float soft_dark = (1.0 - _e36);
+    vec4 _e51 = blend_shade(vec4(0.9843, 0.8902, 0.8118, 1.0), vec4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
+    float in_shadow = (1.0 - _e54);
+    vec4 _e64 = blend_shade_2_(_e51, vec4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    float _e67 = curvature_signed_balanced(surface_1.kappa, 0.55);
+    float inked_hollows_convexity = (0.5 + (0.5 * _e67));
+    vec4 _e79 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e82 = u_look.eye;
+    LitLayer _e84 = light_apply(_e82, _e79, 1.0);
+    vec4 inked_hollows_blend = clamp(vec4((_e64.xyz + (0.9 * ((_e64.xyz * (_e84.tone * _e84.color.xyz)) - _e64.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Light _e106 = u_look.key;
+    Angle _e109 = parametrization_specular_balanced(_e106, surface_1.normal, surface_1.view);
+    float _e112 = curvature_signed_balanced(surface_1.kappa, 0.2);
+    float rim_light_convexity = (0.5 + (0.5 * _e112));
     float shine_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.05);
-    float _e122 = profile_3_(_e107, shine_warp, shine_tone_shape);
-    Light _e125 = u_look.key;
-    LitLayer _e128 = light_apply_2_(_e125, vec4(1.0), _e122);
-    vec4 _e133 = blend_alpha(inked_hollows_blend, _e128.color, _e128.tone, 0.85, true);
-    vec3 _e138 = u_look.back.direction;
-    vec3 _e147 = u_look.back.direction;
-    Angle rim_light_angle = Angle((0.5 * length((surface_1.normal - _e138))), (0.5 * length((surface_1.normal + _e147))));
+    float _e124 = profile_balanced_3_(_e109, shine_warp, shine_tone_shape);
+    Light _e127 = u_look.key;
+    LitLayer _e130 = light_apply_2_(_e127, vec4(1.0), _e124);
+    vec4 _e135 = blend_alpha(inked_hollows_blend, _e130.color, _e130.tone, 0.85, true);
+    vec3 _e140 = u_look.back.direction;
+    vec3 _e149 = u_look.back.direction;
+    Angle rim_light_angle = Angle((0.5 * length((surface_1.normal - _e140))), (0.5 * length((surface_1.normal + _e149))));
     float rim_light_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.15);
-    float _e160 = profile_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e163 = u_look.back;
-    LitLayer _e169 = light_apply_3_(_e163, vec4(1.0, 0.9647, 0.9176, 1.0), _e160);
-    vec4 _e174 = blend_alpha(_e133, _e169.color, _e169.tone, 0.9, true);
-    Light _e177 = u_look.eye;
-    mat3x3 _e181 = u_look.camera_from_world;
-    Angle _e182 = parametrization_screen_aligned(_e177, surface_1.normal, _e181);
-    float _e185 = curvature_signed(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e185));
+    float _e162 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e165 = u_look.back;
+    LitLayer _e171 = light_apply_3_(_e165, vec4(1.0, 0.9647, 0.9176, 1.0), _e162);
+    vec4 _e176 = blend_alpha(_e135, _e171.color, _e171.tone, 0.9, true);
+    Light _e179 = u_look.eye;
+    mat3x3 _e183 = u_look.camera_from_world;
+    Angle _e184 = parametrization_screen_aligned_balanced(_e179, surface_1.normal, _e183);
+    float _e187 = curvature_signed_balanced(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e187));
     float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.28);
-    float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
-    Light _e200 = u_look.eye;
-    LitLayer _e203 = light_apply_2_(_e200, vec4(1.0), _e197);
-    vec4 output_ = clamp(vec4((_e174.xyz * (_e203.tone * _e203.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e199 = profile_balanced_3_(_e184, contour_warp, contour_tone_shape);
+    Light _e202 = u_look.eye;
+    LitLayer _e205 = light_apply_2_(_e202, vec4(1.0), _e199);
+    vec4 output_ = clamp(vec4((_e176.xyz * (_e205.tone * _e205.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 
@@ -388,7 +297,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     vec4 _e11 = u_view.eye;

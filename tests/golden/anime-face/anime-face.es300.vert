@@ -39,7 +39,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 const ProfileShape lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);

@@ -76,7 +76,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant ProfileShape edge_of_the_shadow_shape = ProfileShape {0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u};
 constant ProfileShape lit_shape = ProfileShape {0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u};
@@ -97,98 +96,35 @@ metal::float3 normalize_or(
     return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / metal::sqrt(square)));
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
-) {
-    float clamped_3 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = clamped_3 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float clamped_4 = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped_4);
-    float f_1 = clamped_4 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_eighth(
-    float x_3
-) {
-    float y_2 = x_3 * x_3;
-    float s = x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
-    return metal::float2(s, c);
-}
-
-metal::float2 sin_cos_tiny(
-    float x_4
-) {
-    float y_3 = x_4 * x_4;
-    float s_1 = x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
-    float c_1 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float3 normalize_moderate(
+metal::float3 normalize_quick(
     metal::float3 v_1,
     metal::float3 otherwise_1
 ) {
     float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    bool is_usable = (square_1 > 0.000000000000000000000000000001) & true;
+    return is_usable ? (v_1 * metal::rsqrt(is_usable ? square_1 : 1.0)) : otherwise_1;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
 }
 
-float atan2_positive(
-    float y_1,
-    float x_5
+metal::float2 sin_cos_quick(
+    float x
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float y_1 = x * x;
+    float s_3 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    return metal::float2(s_3, c);
+}
+
+float log2_one_minus(
+    float y
+) {
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -197,18 +133,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
+    float s_4 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c_1);
+    metal::float2 turned = ((s_4 <= 0.0) & (s_4 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -216,10 +152,9 @@ Angle angle_turned_2_(
     Angle u_2,
     metal::float2 t_1
 ) {
-    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_3 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
-    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper_1;
+    float s_5 = u_2.half_sin - 0.0;
+    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, u_2.half_cos);
+    metal::float2 turned_1 = ((s_5 <= 0.0) & (s_5 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
     return Angle {turned_1.x, turned_1.y};
 }
 
@@ -231,19 +166,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_1 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -303,156 +230,117 @@ LitLayer light_apply_3_(
     return LitLayer {metal::float4((color_5.xyz * light_2.color) * split_2.y, 1.0), tone_5 * split_2.x};
 }
 
-Angle parametrization_diffuse(
+Angle parametrization_diffuse_balanced(
     Light light_3,
     metal::float3 normal
 ) {
-    metal::float3 _e6 = normalize_moderate(normal, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e6 = normalize_quick(normal, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e6 - light_3.direction), 0.5 * metal::length(_e6 + light_3.direction)};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_4,
     metal::float3 normal_1,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal_1);
-    return Angle {0.5 * metal::length(_e8 - light_4.direction), 0.5 * metal::length(_e8 + light_4.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
+    return Angle {0.5 * metal::length(d - light_4.direction), 0.5 * metal::length(d + light_4.direction)};
 }
 
-Angle parametrization_screen_aligned(
+Angle parametrization_screen_aligned_balanced(
     Light light_5,
     metal::float3 normal_2,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 n = camera_from_world * normal_2;
-    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
-    return Angle {0.5 * metal::length(_e8 - light_5.own_direction), 0.5 * metal::length(_e8 + light_5.own_direction)};
+    metal::float3 d_1 = camera_from_world * normal_2;
+    return Angle {0.5 * metal::length(d_1 - light_5.own_direction), 0.5 * metal::length(d_1 + light_5.own_direction)};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_4 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_point_2_(
-    Angle u_4,
+float profile_ramp_quick(
+    float s_1,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    return ((s_5 <= 0.0) | false) ? 1.0 : ((s_5 <= 0.0000004) ? 1.0 : 0.0);
+    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered(
-    Angle u_5,
-    float w,
+float profile_ramp_quick_2_(
+    float s_2,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
-    }
-    if (true & (w >= (3.4641016 * shape_2.edge_deviation))) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return metal::clamp(0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
-    }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float width_1 = metal::sqrt(w_1 * w_1);
+    float from_offset_1 = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((0.0 - from_offset_1) / metal::max(width_1, 0.000001)), 0.0, 1.0);
+    return (w_1 <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
-    float w_1,
+float profile_filtered_quick(
+    Angle u_3,
+    float w_2,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    if ((false | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
     }
-    float width_1 = metal::sqrt(w_1 * w_1);
-    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return metal::clamp(0.5 + ((shape_3.offset - (2.0 * _e15)) / width_1), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
+    }
+    float r = 0.19364917 * w_2;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
+    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_4
 ) {
     Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
     ProfileShape shape_5
 ) {
     Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset), _e14, shape_5);
+    return _e15;
 }
 
-float profile_3_(
+float profile_balanced_3_(
     Angle angle_2,
     float shift_2,
     ProfileShape shape_6
 ) {
-    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_2);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_4_(
-    Angle angle_3,
-    float shift_3,
-    ProfileShape shape_7
-) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift_3);
-    Angle _e6 = angle_turned(angle_3, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_6.half_cos_offset) - (_e6.half_cos * shape_6.half_sin_offset), _e14, shape_6);
+    return _e15;
 }
 
 metal::float4 shade(
@@ -460,55 +348,55 @@ metal::float4 shade(
     constant Look& look
 ) {
     metal::float3 normal_3 = surface_1.normal;
-    metal::float3 place = surface_1.position_object;
-    metal::float3 from_the_face_s_middle = place - metal::float3(0.0, 0.52, -0.18);
+    metal::float3 place_1 = surface_1.position_object;
+    metal::float3 from_the_face_s_middle = place_1 - metal::float3(0.0, 0.52, -0.18);
     metal::float3 flattened = from_the_face_s_middle * metal::float3(1.0, 0.35, 1.0);
     metal::float3 _e15 = normalize_or(flattened, metal::float3(0.0));
     VectorParts high = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
     float is_face = metal::smoothstep(0.02, 0.16, high.y);
     metal::float3 face_or_body = metal::mix(normal_3, _e15, is_face);
-    metal::float3 _e27 = normalize_moderate(face_or_body, metal::float3(0.0));
-    Light _e30 = look.key;
-    Angle _e31 = parametrization_diffuse(_e30, _e27);
-    float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
-    float soft_dark = 1.0 - _e34;
-    Composite _e49 = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0), metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
-    float _e52 = profile_2_(_e31, 0.0, lit_shape);
-    float in_shadow = 1.0 - _e52;
-    Composite _e62 = blend_shade_2_(_e49, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    float _e65 = curvature_signed(surface_1.kappa, 0.55);
-    float inked_hollows_convexity = 0.5 + (0.5 * _e65);
-    Color _e77 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e80 = look.eye;
-    LitLayer _e82 = light_apply(_e80, _e77, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e62.xyz + (0.9 * ((_e62.xyz * (_e82.tone * _e82.color.xyz)) - _e62.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e104 = look.key;
-    Angle _e107 = parametrization_specular(_e104, surface_1.normal, surface_1.view);
-    float _e110 = curvature_signed(surface_1.kappa, 0.2);
-    float rim_light_convexity = 0.5 + (0.5 * _e110);
+    metal::float3 shading_direction = face_or_body * metal::rsqrt(metal::max(metal::dot(face_or_body, face_or_body), 0.000000000000000000000000000001));
+    Light _e32 = look.key;
+    Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
+    float _e36 = profile_balanced(_e33, 0.0, edge_of_the_shadow_shape);
+    float soft_dark = 1.0 - _e36;
+    Composite _e51 = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0), metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
+    float in_shadow = 1.0 - _e54;
+    Composite _e64 = blend_shade_2_(_e51, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    float _e67 = curvature_signed_balanced(surface_1.kappa, 0.55);
+    float inked_hollows_convexity = 0.5 + (0.5 * _e67);
+    Color _e79 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e82 = look.eye;
+    LitLayer _e84 = light_apply(_e82, _e79, 1.0);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e64.xyz + (0.9 * ((_e64.xyz * (_e84.tone * _e84.color.xyz)) - _e64.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e106 = look.key;
+    Angle _e109 = parametrization_specular_balanced(_e106, surface_1.normal, surface_1.view);
+    float _e112 = curvature_signed_balanced(surface_1.kappa, 0.2);
+    float rim_light_convexity = 0.5 + (0.5 * _e112);
     float shine_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.05;
-    float _e122 = profile_3_(_e107, shine_warp, shine_tone_shape);
-    Light _e125 = look.key;
-    LitLayer _e128 = light_apply_2_(_e125, metal::float4(1.0), _e122);
-    Composite _e133 = blend_alpha(inked_hollows_blend, _e128.color, _e128.tone, 0.85, true);
-    metal::float3 _e138 = look.back.direction;
-    metal::float3 _e147 = look.back.direction;
-    Angle rim_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e138), 0.5 * metal::length(surface_1.normal + _e147)};
+    float _e124 = profile_balanced_3_(_e109, shine_warp, shine_tone_shape);
+    Light _e127 = look.key;
+    LitLayer _e130 = light_apply_2_(_e127, metal::float4(1.0), _e124);
+    Composite _e135 = blend_alpha(inked_hollows_blend, _e130.color, _e130.tone, 0.85, true);
+    metal::float3 _e140 = look.back.direction;
+    metal::float3 _e149 = look.back.direction;
+    Angle rim_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e140), 0.5 * metal::length(surface_1.normal + _e149)};
     float rim_light_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.15;
-    float _e160 = profile_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e163 = look.back;
-    LitLayer _e169 = light_apply_3_(_e163, metal::float4(1.0, 0.9647, 0.9176, 1.0), _e160);
-    Composite _e174 = blend_alpha(_e133, _e169.color, _e169.tone, 0.9, true);
-    Light _e177 = look.eye;
-    metal::float3x3 _e181 = look.camera_from_world;
-    Angle _e182 = parametrization_screen_aligned(_e177, surface_1.normal, _e181);
-    float _e185 = curvature_signed(surface_1.kappa, 0.12);
-    float contour_convexity = 0.5 + (0.5 * _e185);
+    float _e162 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e165 = look.back;
+    LitLayer _e171 = light_apply_3_(_e165, metal::float4(1.0, 0.9647, 0.9176, 1.0), _e162);
+    Composite _e176 = blend_alpha(_e135, _e171.color, _e171.tone, 0.9, true);
+    Light _e179 = look.eye;
+    metal::float3x3 _e183 = look.camera_from_world;
+    Angle _e184 = parametrization_screen_aligned_balanced(_e179, surface_1.normal, _e183);
+    float _e187 = curvature_signed_balanced(surface_1.kappa, 0.12);
+    float contour_convexity = 0.5 + (0.5 * _e187);
     float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.28;
-    float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
-    Light _e200 = look.eye;
-    LitLayer _e203 = light_apply_2_(_e200, metal::float4(1.0), _e197);
-    metal::float4 output = metal::clamp(metal::float4(_e174.xyz * (_e203.tone * _e203.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e199 = profile_balanced_3_(_e184, contour_warp, contour_tone_shape);
+    Light _e202 = look.eye;
+    LitLayer _e205 = light_apply_2_(_e202, metal::float4(1.0), _e199);
+    metal::float4 output = metal::clamp(metal::float4(_e176.xyz * (_e205.tone * _e205.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 
@@ -565,7 +453,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
     surface.normal = normal_4;
     metal::float4 _e11 = view_1.eye;

@@ -57,7 +57,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
@@ -73,66 +72,18 @@ layout(location = 1) smooth in vec3 v_position_object;
 layout(location = 2) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_3) {
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_4) {
-    float small = min(y_1, x_4);
-    float large = max(y_1, x_4);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_4) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -144,38 +95,29 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_3 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_1.half_cos));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_5) {
-    uint bits_1 = floatBitsToUint(x_5);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float eased(float x_6, float low, float high) {
-    float _e3 = bounded(x_6);
+float eased(float x_1, float low, float high) {
+    float _e3 = bounded(x_1);
     float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -188,8 +130,8 @@ float footprint_of_vec3_(vec3 v_2) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
-    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
+    vec3 y_1 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_1, vec2(dot(direction, x_axis), dot(direction, y_1)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -216,132 +158,56 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
+    float width_2 = sqrt((w_1 * w_1));
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w_2, ProfileShape shape_3) {
+    vec2 place = vec2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_2);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2) {
-    float s_5 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    return (((s_5 <= 0.0) || false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_6, float w, ProfileShape shape_3) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_6, _e44);
-    float _e46 = profile_point(_e45, shape_3);
-    Angle _e51 = angle_turned(u_6, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width_2 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width_2)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e45 = angle_turned(u_7, _e44);
-    float _e46 = profile_point_2_(_e45, shape_4);
-    Angle _e51 = angle_turned(u_7, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_4);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    if (((false || (w_2 <= 0.0)) || false)) {
-        return _e3;
-    }
-    float width_3 = sqrt((w_2 * w_2));
-    float _e15 = atan2_positive(u_8.half_sin, u_8.half_cos);
-    return clamp((0.5 + ((shape_5.offset - (2.0 * _e15)) / width_3)), 0.0, 1.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
-    return _e8;
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
@@ -385,13 +251,13 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_2) {
-    return (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - vec3(15.0))) + vec3(10.0)));
+vec3 fade_quintic(vec3 t_1) {
+    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
 float perlin_noise(vec3 p, uint seed_2) {
@@ -454,9 +320,9 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            vec3 place = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place, (1u + uint(_e47)));
+            float _e50 = perlin_noise(place_1, (1u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -500,9 +366,9 @@ float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, 
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
             int _e33 = i_2;
-            vec3 place_1 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_2;
-            float _e50 = perlin_noise(place_1, (5u + uint(_e47)));
+            float _e50 = perlin_noise(place_2, (5u + uint(_e47)));
             octave_1 = mix(0.5, _e50, visible_1);
         }
         float _e53 = sum_2;
@@ -545,10 +411,10 @@ float noise_perlin_2_(vec3 position_1, float scale_1, int octaves_3, float rough
 }
 
 vec4 shade(Surface surface_1) {
-    vec3 place_2 = surface_1.position_object;
-    float _e6 = noise_perlin(place_2, 3.5, 2, 0.5, 1);
+    vec3 place_3 = surface_1.position_object;
+    float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
     float across_1 = mix(-0.22, 0.22, (_e6 - 0.0));
-    float _e16 = noise_perlin_2_(place_2, 3.5, 2, 0.5, 5);
+    float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
     float upright = mix(-0.22, 0.22, (_e16 - 0.0));
     vec3 _e24 = u_look.parts_direction;
     vec3 _e27 = u_look.axes_of_the_light_x_axis;
@@ -560,9 +426,9 @@ vec4 shade(Surface surface_1) {
     float _e45 = u_look.key.intensity;
     Light bent_light = Light(_e33, _e37, _e41, _e45);
     Angle turned_from_it = Angle((0.5 * length((surface_1.normal - bent_light.direction))), (0.5 * length((surface_1.normal + bent_light.direction))));
-    float _e62 = profile(turned_from_it, 0.0, lit_shape);
+    float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     vec4 _e75 = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    float _e78 = profile_2_(turned_from_it, 0.0, brightest_shape);
+    float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     vec4 brightest_light = min(vec4((_e75.xyz + (_e78 * (vec3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), vec4(1.0));
     vec3 view_2_ = surface_1.view;
     AxesAround _e98 = axes(view_2_, vec3(0.0, 1.0, 0.0));
@@ -573,7 +439,7 @@ vec4 shade(Surface surface_1) {
     float _e117 = u_look.eye.intensity;
     Light locked_to_the_eye = Light(_e105, _e109, _e113, _e117);
     Angle turned_from_the_eye = Angle((0.5 * length((surface_1.normal - locked_to_the_eye.direction))), (0.5 * length((surface_1.normal + locked_to_the_eye.direction))));
-    float _e134 = profile_3_(turned_from_the_eye, 0.0, window_shape);
+    float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     vec4 window_on_top = clamp(vec4((brightest_light.xyz + (_e134 * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
     vec2 _e156 = u_look.viewport;
     float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
@@ -585,7 +451,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -112,7 +112,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const uint NOISE_PERLIN = 1u;
 static const ProfileShape lit_shape = ConstructProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
@@ -138,78 +137,21 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x)
-{
-    float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = round(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_3)
-{
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return float2(s, c);
-}
-
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_4)
+float log2_one_minus(float y)
 {
-    float small = min(y_1, x_4);
-    float large = max(y_1, x_4);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_4) ? (HALF_PI - a) : a);
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -230,44 +172,33 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s_3 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_3, u_1.half_cos));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
+    return angle_2;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+float bounded(float x)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_4;
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_5)
+float eased(float x_1, float low, float high)
 {
-    uint bits_1 = asuint(x_5);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float eased(float x_6, float low, float high)
-{
-    const float _e3 = bounded(x_6);
+    const float _e3 = bounded(x_1);
     const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_2)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -291,8 +222,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
+    float3 y_1 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_1, float2(dot(direction, x_axis), dot(direction, y_1)));
     return directionparts;
 }
 
@@ -332,145 +263,62 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float width_2 = sqrt((w_1 * w_1));
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_filtered_quick(Angle u_2, float w_2, ProfileShape shape_3)
 {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
+    float2 place = float2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    const float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_2);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
 {
-    float s_5 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    return (((s_5 <= 0.0) | false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_6, float w, ProfileShape shape_3)
-{
-    const float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        const float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e45 = angle_turned(u_6, _e44);
-    const float _e46 = profile_point(_e45, shape_3);
-    const Angle _e51 = angle_turned(u_6, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4)
-{
-    const float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width_2 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        const float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width_2)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e45 = angle_turned(u_7, _e44);
-    const float _e46 = profile_point_2_(_e45, shape_4);
-    const Angle _e51 = angle_turned(u_7, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point_2_(_e51, shape_4);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5)
-{
-    const float _e3 = profile_point_3_(u_8, shape_5);
-    if (((false | (w_2 <= 0.0)) | false)) {
-        return _e3;
-    }
-    float width_3 = sqrt((w_2 * w_2));
-    const float _e15 = atan2_positive(u_8.half_sin, u_8.half_cos);
-    return clamp((0.5 + ((shape_5.offset - (2.0 * _e15)) / width_3)), 0.0, 1.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_6);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
-{
-    const Angle _e6 = angle_turned_2_(angle_2, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
-    return _e8;
+    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
+    const float _e14 = angle_footprint(_e6);
+    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
 uint3 hash_pcg3d(uint3 seed)
@@ -522,14 +370,14 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float3 fade_quintic(float3 t_2)
+float3 fade_quintic(float3 t_1)
 {
-    return (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
@@ -606,9 +454,9 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            float3 place = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_1;
-            const float _e50 = perlin_noise(place, (1u + uint(_e47)));
+            const float _e50 = perlin_noise(place_1, (1u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -657,9 +505,9 @@ float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
             int _e33 = i_2;
-            float3 place_1 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_2;
-            const float _e50 = perlin_noise(place_1, (5u + uint(_e47)));
+            const float _e50 = perlin_noise(place_2, (5u + uint(_e47)));
             octave_1 = lerp(0.5, _e50, visible_1);
         }
         float _e53 = sum_2;
@@ -715,10 +563,10 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
 
 float4 shade(Surface surface_1)
 {
-    float3 place_2 = surface_1.position_object;
-    const float _e6 = noise_perlin(place_2, 3.5, int(2), 0.5, int(1));
+    float3 place_3 = surface_1.position_object;
+    const float _e6 = noise_perlin(place_3, 3.5, int(2), 0.5, int(1));
     float across_1 = lerp(-0.22, 0.22, (_e6 - 0.0));
-    const float _e16 = noise_perlin_2_(place_2, 3.5, int(2), 0.5, int(5));
+    const float _e16 = noise_perlin_2_(place_3, 3.5, int(2), 0.5, int(5));
     float upright = lerp(-0.22, 0.22, (_e16 - 0.0));
     float3 _e24 = look.parts_direction;
     float3 _e27 = look.axes_of_the_light_x_axis;
@@ -730,9 +578,9 @@ float4 shade(Surface surface_1)
     float _e45 = look.key.intensity;
     Light bent_light = ConstructLight(_e33, _e37, _e41, _e45);
     Angle turned_from_it = ConstructAngle((0.5 * length((surface_1.normal - bent_light.direction))), (0.5 * length((surface_1.normal + bent_light.direction))));
-    const float _e62 = profile(turned_from_it, 0.0, lit_shape);
+    const float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     const float4 _e75 = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0), float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    const float _e78 = profile_2_(turned_from_it, 0.0, brightest_shape);
+    const float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     float4 brightest_light = min(float4((_e75.xyz + (_e78 * (float3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), (1.0).xxxx);
     float3 view_2_ = surface_1.view;
     const AxesAround _e98 = axes(view_2_, float3(0.0, 1.0, 0.0));
@@ -743,7 +591,7 @@ float4 shade(Surface surface_1)
     float _e117 = look.eye.intensity;
     Light locked_to_the_eye = ConstructLight(_e105, _e109, _e113, _e117);
     Angle turned_from_the_eye = ConstructAngle((0.5 * length((surface_1.normal - locked_to_the_eye.direction))), (0.5 * length((surface_1.normal + locked_to_the_eye.direction))));
-    const float _e134 = profile_3_(turned_from_the_eye, 0.0, window_shape);
+    const float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     float4 window_on_top = clamp(float4((brightest_light.xyz + (_e134 * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float2 _e156 = look.viewport;
     const float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
@@ -775,7 +623,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

@@ -79,63 +79,11 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant uint NOISE_PERLIN = 1u;
 constant ProfileShape lit_shape = ProfileShape {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u};
 constant ProfileShape brightest_shape = ProfileShape {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
 constant ProfileShape window_shape = ProfileShape {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u};
-
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
-) {
-    float whole = metal::rint(x);
-    float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float clamped_1 = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped_1);
-    float f_1 = clamped_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_3
-) {
-    float y_2 = x_3 * x_3;
-    float s = x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
 
 metal::float3 normalize_moderate(
     metal::float3 v,
@@ -145,29 +93,17 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
 }
 
-float atan2_positive(
-    float y_1,
-    float x_4
+float log2_one_minus(
+    float y
 ) {
-    float small = metal::min(y_1, x_4);
-    float large = metal::max(y_1, x_4);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_3 = small / large;
-    bool is_wide = t_3 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_3;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_4) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -184,49 +120,37 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_3 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, u_1.half_cos);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float bounded(
-    float x_5
+    float x
 ) {
-    uint bits_1 = as_type<uint>(x_5);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 float eased(
-    float x_6,
+    float x_1,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_6);
+    float _e3 = bounded(x_1);
     float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_4 = metal::clamp(_e8, 0.0, 1.0);
-    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
 float footprint_of(
-    float x_7
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
@@ -245,8 +169,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
-    return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
+    metal::float3 y_1 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y_1, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_1))};
 }
 
 metal::float3 direction_moved(
@@ -288,171 +212,79 @@ Composite blend_alpha(
     return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_3 * shape.scale;
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_ramp_quick(
+    float s_1,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_4 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float width_1 = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width_1), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_point_3_(
-    Angle u_5,
+float profile_ramp_quick_2_(
+    float s_2,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float s_5 = (u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset);
-    return ((s_5 <= 0.0) | false) ? 1.0 : ((s_5 <= 0.0000004) ? 1.0 : 0.0);
+    float width_2 = metal::sqrt(w_1 * w_1);
+    float from_offset_1 = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((0.0 - from_offset_1) / metal::max(width_2, 0.000001)), 0.0, 1.0);
+    return (w_1 <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
-float profile_filtered(
-    Angle u_6,
-    float w,
+float profile_filtered_quick(
+    Angle u_2,
+    float w_2,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = w < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset), (u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
     }
-    if (true & (w >= (3.4641016 * shape_3.edge_deviation))) {
-        float width_1 = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
-    Angle _e45 = angle_turned(u_6, _e44);
-    float _e46 = profile_point(_e45, shape_3);
-    Angle _e51 = angle_turned(u_6, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_3);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float r = 0.19364917 * w_2;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
+    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile_filtered_2_(
-    Angle u_7,
-    float w_1,
-    ProfileShape shape_4
-) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = w_1 < (0.1 * shape_4.edge_deviation);
-    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
-        return _e3;
-    }
-    if (true & (w_1 >= (3.4641016 * shape_4.edge_deviation))) {
-        float width_2 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
-        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return metal::clamp(0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width_2), 0.0, 1.0);
-    }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e45 = angle_turned(u_7, _e44);
-    float _e46 = profile_point_2_(_e45, shape_4);
-    Angle _e51 = angle_turned(u_7, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_4);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
-}
-
-float profile_filtered_3_(
-    Angle u_8,
-    float w_2,
-    ProfileShape shape_5
-) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    if ((false | (w_2 <= 0.0)) | false) {
-        return _e3;
-    }
-    float width_3 = metal::sqrt(w_2 * w_2);
-    float _e15 = atan2_positive(u_8.half_sin, u_8.half_cos);
-    return metal::clamp(0.5 + ((shape_5.offset - (2.0 * _e15)) / width_3), 0.0, 1.0);
-}
-
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_6
+    ProfileShape shape_4
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_7
+    ProfileShape shape_5
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
-}
-
-float profile_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_8
-) {
-    Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
-    return _e8;
+    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset), _e14, shape_5);
+    return _e15;
 }
 
 metal::uint3 hash_pcg3d(
@@ -508,15 +340,15 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a_1 = (axis == 0u) ? d.y : d.x;
+    float a = (axis == 0u) ? d.y : d.x;
     float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
 metal::float3 fade_quintic(
-    metal::float3 t_2
+    metal::float3 t_1
 ) {
-    return ((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -599,9 +431,9 @@ float fractal_noise(
         if (visible > 0.0) {
             float _e31 = frequency;
             int _e33 = i_1;
-            metal::float3 place = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place_1 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place, 1u + static_cast<uint>(_e47));
+            float _e50 = perlin_noise(place_1, 1u + static_cast<uint>(_e47));
             octave = metal::mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -655,9 +487,9 @@ float fractal_noise_2_(
         if (visible_1 > 0.0) {
             float _e31 = frequency_1;
             int _e33 = i_2;
-            metal::float3 place_1 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place_2 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
             int _e47 = i_2;
-            float _e50 = perlin_noise(place_1, 5u + static_cast<uint>(_e47));
+            float _e50 = perlin_noise(place_2, 5u + static_cast<uint>(_e47));
             octave_1 = metal::mix(0.5, _e50, visible_1);
         }
         float _e53 = sum_2;
@@ -720,10 +552,10 @@ metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    metal::float3 place_2 = surface_1.position_object;
-    float _e6 = noise_perlin(place_2, 3.5, 2, 0.5, 1);
+    metal::float3 place_3 = surface_1.position_object;
+    float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
     float across_1 = metal::mix(-0.22, 0.22, _e6 - 0.0);
-    float _e16 = noise_perlin_2_(place_2, 3.5, 2, 0.5, 5);
+    float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
     float upright = metal::mix(-0.22, 0.22, _e16 - 0.0);
     metal::float3 _e24 = look.parts_direction;
     metal::float3 _e27 = look.axes_of_the_light_x_axis;
@@ -735,9 +567,9 @@ metal::float4 shade(
     float _e45 = look.key.intensity;
     Light bent_light = Light {_e33, _e37, _e41, _e45};
     Angle turned_from_it = Angle {0.5 * metal::length(surface_1.normal - bent_light.direction), 0.5 * metal::length(surface_1.normal + bent_light.direction)};
-    float _e62 = profile(turned_from_it, 0.0, lit_shape);
+    float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     Composite _e75 = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0), metal::float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    float _e78 = profile_2_(turned_from_it, 0.0, brightest_shape);
+    float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     metal::float4 brightest_light = metal::min(metal::float4(_e75.xyz + (_e78 * (metal::float3(0.6627, 0.8392, 0.7569) - _e75.xyz)), 1.0), metal::float4(1.0));
     metal::float3 view_2_ = surface_1.view;
     AxesAround _e98 = axes(view_2_, metal::float3(0.0, 1.0, 0.0));
@@ -748,7 +580,7 @@ metal::float4 shade(
     float _e117 = look.eye.intensity;
     Light locked_to_the_eye = Light {_e105, _e109, _e113, _e117};
     Angle turned_from_the_eye = Angle {0.5 * metal::length(surface_1.normal - locked_to_the_eye.direction), 0.5 * metal::length(surface_1.normal + locked_to_the_eye.direction)};
-    float _e134 = profile_3_(turned_from_the_eye, 0.0, window_shape);
+    float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + (_e134 * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float2 _e156 = look.viewport;
     float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
@@ -804,7 +636,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

@@ -96,22 +96,14 @@ vec4 finite_vec4_(vec4 v) {
 }
 
 float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
+    float whole = roundEven(x);
+    float f = (x - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
     int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -129,11 +121,11 @@ vec3 normalize_seen(vec3 v_2) {
     return _e5;
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
+float bounded(float x_2) {
+    uint bits_1 = floatBitsToUint(x_2);
     uint magnitude = (bits_1 & 2147483647u);
     float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 vec2 bounded_vec2_(vec2 v_3) {
@@ -180,28 +172,28 @@ vec4 mixed_vec4_(vec4 a_2, vec4 b_2, float t_1) {
     return _e14;
 }
 
-float eased(float x_4, float low, float high) {
-    float _e3 = bounded(x_4);
+float eased(float x_3, float low, float high) {
+    float _e3 = bounded(x_3);
     float _e8 = bounded(((_e3 - 0.5) / 0.5));
     float t_4 = clamp(_e8, 0.0, 1.0);
     return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
 }
 
-float eased_2_(float x_5, float low_1, float high_1) {
-    float _e3 = bounded(x_5);
+float eased_2_(float x_4, float low_1, float high_1) {
+    float _e3 = bounded(x_4);
     float _e8 = bounded(((_e3 - 0.75) / 0.75));
     float t_5 = clamp(_e8, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float eased_3_(float x_6, float low_2, float high_2) {
-    float t_6 = clamp(((x_6 - low_2) / (high_2 - low_2)), 0.0, 1.0);
+float eased_3_(float x_5, float low_2, float high_2) {
+    float t_6 = clamp(((x_5 - low_2) / (high_2 - low_2)), 0.0, 1.0);
     return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of(float x_6) {
+    float _e1 = dFdx(x_6);
+    float _e2 = dFdy(x_6);
     vec2 d_3 = vec2(_e1, _e2);
     return sqrt(dot(d_3, d_3));
 }
@@ -244,7 +236,7 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
     return vec4(_e8, _e13, _e18, _e23);
 }
 
-vec4 ramp_at(Ramp ramp, float x_8, float w) {
+vec4 ramp_at(Ramp ramp, float x_7, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2_ = 1u;
@@ -269,13 +261,13 @@ vec4 ramp_at(Ramp ramp, float x_8, float w) {
         uint _e17 = i_2_;
         uint _e21 = i_2_;
         float _e25 = places[(_e17 / 4u)][(_e21 % 4u)];
-        at = ((_e25 <= x_8) ? _e16 : _e15);
+        at = ((_e25 <= x_7) ? _e16 : _e15);
     }
     uint _e31 = at;
     uint _e35 = at;
     float place_3 = places[(_e31 / 4u)][(_e35 % 4u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) || (x_8 <= place_3))) {
+    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_3))) {
         uint _e47 = at;
         vec4 _e49 = colors[_e47];
         return _e49;
@@ -284,7 +276,7 @@ vec4 ramp_at(Ramp ramp, float x_8, float w) {
     uint after_1 = (_e50 + 1u);
     float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
     float span = (_e59 - place_3);
-    float _e62 = divided((x_8 - place_3), span);
+    float _e62 = divided((x_7 - place_3), span);
     float t_7 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
@@ -327,16 +319,8 @@ vec4 mix_colors_multiply(vec4 a_4, vec4 b_4, float factor) {
     return vec4(_e7, 1.0);
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_5 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
-    float magnitude_4 = min(abs(a_5), 50.0);
-    if ((magnitude_4 < 0.0625)) {
-        float a2_ = (a_5 * a_5);
-        return (a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e33 = exp2_stable((-2.88539 * magnitude_4));
-    float t_8 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_5 >= 0.0) ? t_8 : -(t_8));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
@@ -380,9 +364,9 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_6 = ((axis == 0u) ? d.y : d.x);
+    float a_5 = ((axis == 0u) ? d.y : d.x);
     float b_5 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_6 : -(a_6)) + (((hash.z >> 31u) == 0u) ? b_5 : -(b_5)));
+    return ((((hash.y >> 31u) == 0u) ? a_5 : -(a_5)) + (((hash.z >> 31u) == 0u) ? b_5 : -(b_5)));
 }
 
 vec3 fade_quintic(vec3 t_3) {
@@ -503,12 +487,12 @@ uint blue_index(ivec2 cell_1) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn = vec2(0.0, 1.0);
-    vec3 x_9 = ((turn.y * along) + (turn.x * across));
+    vec2 turn = vec2(sin(angle), cos(angle));
+    vec3 x_8 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    vec3 stretch_4 = vec3(dot(x_9, x_9), dot(x_9, y), dot(y, y));
+    vec3 stretch_4 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
     vec2 _e37 = bounded_vec2_(turned);
     return StretchedPlace(_e37, stretch_4);
 }
@@ -587,15 +571,15 @@ float stippled(SpacedPlace at_1, float ink_1, Dots style_1) {
     float _e19 = log2_stable(max(sqrt(_e15), 1e-30));
     float level = clamp((-0.5 * _e19), -16.0, 16.0);
     float zoom_1 = floor(level);
-    float f_2 = (level - zoom_1);
-    float _e29 = exp2_stable_2_((-2.0 * f_2));
-    float coarse = (1.0 - f_2);
+    float f_1 = (level - zoom_1);
+    float _e29 = exp2_stable((-2.0 * f_1));
+    float coarse = (1.0 - f_1);
     float fine = ((1.0 - (coarse * _e29)) / (4.0 * _e29));
-    float _e44 = exp2_stable_2_((2.0 * zoom_1));
+    float _e44 = exp2_stable((2.0 * zoom_1));
     float _e46 = dots_of_octave(at_1.place, int(zoom_1), (ink_1 * coarse), (at_1.stretch * _e44), _e13, style_1);
     dots = _e46;
     if ((fine > 0.0)) {
-        float _e60 = exp2_stable_2_(((2.0 * zoom_1) + 2.0));
+        float _e60 = exp2_stable(((2.0 * zoom_1) + 2.0));
         float _e62 = dots_of_octave(at_1.place, (int(zoom_1) + 1), (ink_1 * fine), (at_1.stretch * _e60), _e13, style_1);
         float _e63 = dots;
         dots = max(_e63, _e62);
@@ -658,7 +642,7 @@ vec4 shade(Surface surface_1) {
     float _e112 = outer_contour(2.0, surface_1.normal, surface_1.view, _e111);
     float i1_ = max(_e105, _e112);
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e127 = curvature_signed(curvature, 0.25);
+    float _e127 = curvature_signed_balanced(curvature, 0.25);
     float hollow = (0.5 + (0.5 * _e127));
     float _e134 = eased_3_(hollow, 0.24, 0.16);
     float ink_2 = max(i1_, _e134);

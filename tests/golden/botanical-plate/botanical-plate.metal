@@ -114,26 +114,16 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
+    float whole = metal::rint(x);
+    float f = x - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable_2_(
+float log2_stable(
     float x_1
 ) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_1);
     int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -157,12 +147,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_3
+    float x_2
 ) {
-    uint bits_1 = as_type<uint>(x_3);
+    uint bits_1 = as_type<uint>(x_2);
     uint magnitude = bits_1 & 2147483647u;
     float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
@@ -227,41 +217,41 @@ metal::float4 mixed_vec4_(
 }
 
 float eased(
-    float x_4,
+    float x_3,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_4);
+    float _e3 = bounded(x_3);
     float _e8 = bounded((_e3 - 0.5) / 0.5);
     float t_4 = metal::clamp(_e8, 0.0, 1.0);
     return (t_4 * t_4) * (3.0 - (2.0 * t_4));
 }
 
 float eased_2_(
-    float x_5,
+    float x_4,
     float low_1,
     float high_1
 ) {
-    float _e3 = bounded(x_5);
+    float _e3 = bounded(x_4);
     float _e8 = bounded((_e3 - 0.75) / 0.75);
     float t_5 = metal::clamp(_e8, 0.0, 1.0);
     return (t_5 * t_5) * (3.0 - (2.0 * t_5));
 }
 
 float eased_3_(
-    float x_6,
+    float x_5,
     float low_2,
     float high_2
 ) {
-    float t_6 = metal::clamp((x_6 - low_2) / (high_2 - low_2), 0.0, 1.0);
+    float t_6 = metal::clamp((x_5 - low_2) / (high_2 - low_2), 0.0, 1.0);
     return (t_6 * t_6) * (3.0 - (2.0 * t_6));
 }
 
 float footprint_of(
-    float x_7
+    float x_6
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_6);
+    float _e2 = metal::dfdy(x_6);
     metal::float2 d_3 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_3, d_3));
 }
@@ -332,7 +322,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_8,
+    float x_7,
     float w
 ) {
     type_7 colors = {};
@@ -362,13 +352,13 @@ Color ramp_at(
         uint _e17 = i_2_;
         uint _e21 = i_2_;
         float _e25 = places.inner[naga_div(_e17, 4u)][naga_mod(_e21, 4u)];
-        at = (_e25 <= x_8) ? _e16 : _e15;
+        at = (_e25 <= x_7) ? _e16 : _e15;
     }
     uint _e31 = at;
     uint _e35 = at;
     float place_3 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
     uint _e40 = at;
-    if (((_e40 + 1u) >= 5u) | (x_8 <= place_3)) {
+    if (((_e40 + 1u) >= 5u) | (x_7 <= place_3)) {
         uint _e47 = at;
         metal::float4 _e49 = colors.inner[_e47];
         return _e49;
@@ -377,7 +367,7 @@ Color ramp_at(
     uint after_1 = _e50 + 1u;
     float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
     float span = _e59 - place_3;
-    float _e62 = divided(x_8 - place_3, span);
+    float _e62 = divided(x_7 - place_3, span);
     float t_7 = metal::clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if (_e69 > 0u) {
@@ -424,19 +414,11 @@ Color mix_colors_multiply(
     return metal::float4(_e7, 1.0);
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_5 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25;
-    float magnitude_4 = metal::min(metal::abs(a_5), 50.0);
-    if (magnitude_4 < 0.0625) {
-        float a2_ = a_5 * a_5;
-        return a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e33 = exp2_stable(-2.88539 * magnitude_4);
-    float t_8 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_5 >= 0.0) ? t_8 : -(t_8);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
 }
 
 metal::uint3 hash_pcg3d(
@@ -488,9 +470,9 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a_6 = (axis == 0u) ? d.y : d.x;
+    float a_5 = (axis == 0u) ? d.y : d.x;
     float b_5 = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_6 : -(a_6)) + (((hash.z >> 31u) == 0u) ? b_5 : -(b_5));
+    return (((hash.y >> 31u) == 0u) ? a_5 : -(a_5)) + (((hash.z >> 31u) == 0u) ? b_5 : -(b_5));
 }
 
 metal::float3 fade_quintic(
@@ -655,12 +637,12 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x_9 = (turn.y * along) + (turn.x * across);
+    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
+    metal::float3 x_8 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
-    metal::float3 stretch_4 = metal::float3(metal::dot(x_9, x_9), metal::dot(x_9, y), metal::dot(y, y));
+    metal::float3 stretch_4 = metal::float3(metal::dot(x_8, x_8), metal::dot(x_8, y), metal::dot(y, y));
     metal::float2 _e37 = bounded_vec2_(turned);
     return StretchedPlace {_e37, {}, stretch_4};
 }
@@ -776,15 +758,15 @@ float stippled(
     float _e19 = log2_stable(metal::max(metal::sqrt(_e15), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e19, -16.0, 16.0);
     float zoom_1 = metal::floor(level);
-    float f_2 = level - zoom_1;
-    float _e29 = exp2_stable_2_(-2.0 * f_2);
-    float coarse = 1.0 - f_2;
+    float f_1 = level - zoom_1;
+    float _e29 = exp2_stable(-2.0 * f_1);
+    float coarse = 1.0 - f_1;
     float fine = (1.0 - (coarse * _e29)) / (4.0 * _e29);
-    float _e44 = exp2_stable_2_(2.0 * zoom_1);
+    float _e44 = exp2_stable(2.0 * zoom_1);
     float _e46 = dots_of_octave(at_1.place, naga_f2i32(zoom_1), ink_1 * coarse, at_1.stretch * _e44, _e13, style_1);
     dots = _e46;
     if (fine > 0.0) {
-        float _e60 = exp2_stable_2_((2.0 * zoom_1) + 2.0);
+        float _e60 = exp2_stable((2.0 * zoom_1) + 2.0);
         float _e62 = dots_of_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), ink_1 * fine, at_1.stretch * _e60, _e13, style_1);
         float _e63 = dots;
         dots = metal::max(_e63, _e62);
@@ -866,7 +848,7 @@ metal::float4 shade(
     float _e112 = outer_contour(2.0, surface_1.normal, surface_1.view, _e111);
     float i1_ = metal::max(_e105, _e112);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e127 = curvature_signed(curvature, 0.25);
+    float _e127 = curvature_signed_balanced(curvature, 0.25);
     float hollow = 0.5 + (0.5 * _e127);
     float _e134 = eased_3_(hollow, 0.24, 0.16);
     float ink_2 = metal::max(i1_, _e134);

@@ -80,18 +80,6 @@ fn finite_vec4(v: vec4f) -> vec4f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
     let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
@@ -291,19 +279,10 @@ fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
     return vec4f(mixed_vec3(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * 0.25;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
 }
 
 const NOISE_PERLIN: u32 = 1u;
@@ -509,7 +488,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);
@@ -601,14 +580,14 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
     let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    let coarse_cells = exp2_stable_2(-2.0 * f);
+    let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch * exp2_stable_2(2.0
+    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch * exp2_stable(2.0
         * zoom), w, style);
     if fine > 0.0 {
         let finer = dots_of_octave(at.place, i32(zoom) + 1, ink * fine, at.stretch
-            * exp2_stable_2(2.0 * zoom + 2.0), w, style);
+            * exp2_stable(2.0 * zoom + 2.0), w, style);
         dots = max(dots, finer);
     }
     let mean = ink * (0.785398163397448310 * style.size * style.size);
@@ -678,7 +657,7 @@ fn shade(surface: Surface) -> vec4f {
     let contour = outer_contour(2.0, surface.normal, surface.view, look.viewport);
     let i1 = max(stipple, contour);
     let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow = 0.5 + 0.5 * curvature_signed(curvature, 0.25);
+    let hollow = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.25);
     let inked_hollows = eased_3(hollow, 0.24, 0.16);
     let ink = max(i1, inked_hollows);
     let plate_2 = mixed_vec4(bounded_vec4(wash), vec4f(0.1725, 0.1412, 0.1216, 1.0), ink);

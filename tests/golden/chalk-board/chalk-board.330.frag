@@ -81,41 +81,13 @@ uniform sampler2D u_curvature_map;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_3) {
-    float y_1 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return vec2(s, c);
+    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
@@ -128,6 +100,11 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+}
+
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -137,26 +114,17 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
-}
-
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
+float bounded(float x_1) {
+    uint bits_1 = floatBitsToUint(x_1);
     uint magnitude = (bits_1 & 2147483647u);
     float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 vec2 bounded_vec2_(vec2 v_2) {
@@ -175,63 +143,33 @@ vec3 bounded_vec3_(vec3 v_3) {
     return mix(numbers_1, v_3, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a), 50.0);
-    if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_2 : -(t_2));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
+    vec2 place_8 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place_8.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place_8.x * turn.y) - (place_8.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place_8.x * turn.y) + (place_8.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -271,9 +209,9 @@ uvec3 hash_pcg3d(uvec3 seed) {
 
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 float perlin_noise(vec3 p, uint seed_1) {
@@ -281,7 +219,7 @@ float perlin_noise(vec3 p, uint seed_1) {
     float sum = 0.0;
     vec3 corner = floor(p);
     vec3 d_1 = (p - corner);
-    vec3 f_2 = (((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 f = (((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
@@ -298,7 +236,7 @@ float perlin_noise(vec3 p, uint seed_1) {
         int _e28 = i;
         int _e33 = i;
         ivec3 at_1 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight = mix((vec3(1.0) - f_2), f_2, equal(at_1, ivec3(1)));
+        vec3 weight = mix((vec3(1.0) - f), f, equal(at_1, ivec3(1)));
         float _e44 = sum;
         uvec3 _e58 = hash_pcg3d((uvec3((cell + at_1)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
         float _e61 = gradient_dot(_e58, (d_1 - vec3(at_1)));
@@ -326,13 +264,13 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle_1) {
-    vec2 turn = vec2(0.0, 1.0);
-    vec3 x_5 = ((turn.y * along) + (turn.x * across));
-    vec3 y_2 = ((turn.y * across) - (turn.x * along));
+    vec2 turn_1 = vec2(sin(angle_1), cos(angle_1));
+    vec3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
+    vec3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
     vec2 _e17 = bounded_vec2_(place);
-    vec2 turned_2 = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    vec3 stretch_7 = vec3(dot(x_5, x_5), dot(x_5, y_2), dot(y_2, y_2));
-    vec2 _e37 = bounded_vec2_(turned_2);
+    vec2 turned_1 = vec2(((turn_1.y * _e17.x) + (turn_1.x * _e17.y)), ((turn_1.y * _e17.y) - (turn_1.x * _e17.x)));
+    vec3 stretch_7 = vec3(dot(x_2, x_2), dot(x_2, y_1), dot(y_1, y_1));
+    vec2 _e37 = bounded_vec2_(turned_1);
     return StretchedPlace(_e37, stretch_7);
 }
 
@@ -373,8 +311,8 @@ MarkPlace mark_place_object(float angle_2, vec3 anchor, vec2 pixel_1, vec2 viewp
     float size = clamp(_e5, 1e-6, 1000000.0);
     vec2 _e9 = place_in_picture(pixel_1, viewport_4);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_8 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_8, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
+    vec2 place_9 = (_e15 / vec2(size));
+    StretchedPlace _e28 = mark_place_of(place_9, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
     return MarkPlace(_e28.place, _e28.stretch);
 }
 
@@ -384,8 +322,8 @@ float paper_octave(vec2 place_4, int zoom, float w_1, float fiber, uint seed_2) 
     uint own = (seed_2 + (7u * uint(zoom)));
     float _e23 = perlin_noise(vec3(p_4, 0.5), own);
     float grain = (_e23 - 0.5);
-    vec2 q_2 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e52 = perlin_noise(vec3(q_2, 0.5), (own + 1u));
+    vec2 q_1 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
+    float _e52 = perlin_noise(vec3(q_1, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_5)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_5)));
@@ -394,21 +332,21 @@ float paper_octave(vec2 place_4, int zoom, float w_1, float fiber, uint seed_2) 
 
 float paper_height(SpacedPlace at, float fiber_1, uint seed_3) {
     float height = 0.0;
-    vec2 x_6 = dFdx(at.place);
-    vec2 y_3 = dFdy(at.place);
-    float w_3 = sqrt(max(dot(x_6, x_6), dot(y_3, y_3)));
+    vec2 x_3 = dFdx(at.place);
+    vec2 y_2 = dFdy(at.place);
+    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_2, y_2)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
-    float f_3 = (level - zoom_1);
+    float f_1 = (level - zoom_1);
     float _e27 = paper_octave(at.place, int(zoom_1), w_3, 0.5, seed_3);
     height = _e27;
-    if ((f_3 > 0.0)) {
+    if ((f_1 > 0.0)) {
         float _e31 = height;
         float _e37 = paper_octave(at.place, (int(zoom_1) + 1), w_3, 0.5, seed_3);
-        float both = mix(_e31, _e37, f_3);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_3 * f_3) + ((1.0 - f_3) * (1.0 - f_3)))))), 0.0, 1.0);
+        float both = mix(_e31, _e37, f_1);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
     float _e55 = height;
     return _e55;
@@ -449,15 +387,15 @@ vec4 shade(Surface surface_1) {
     vec4 blue_gray = mix(vec4(0.1216, 0.1647, 0.1686, 1.0), vec4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     vec3 _e66 = u_look.back.direction;
     vec3 _e75 = u_look.back.direction;
-    Angle turn_1 = Angle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
-    float _e83 = profile(turn_1, 0.0, orange_chalk_shape);
+    Angle turn_2 = Angle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
+    float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = (1.0 - _e83);
     vec2 _e94 = u_look.viewport;
     PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, 9, _e94);
     float _e99 = bounded((1.0 - _e95.tone));
     vec4 orange = mix(blue_gray, vec4(0.9412, 0.6353, 0.3608, 1.0), _e99);
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e119 = curvature_signed(curvature, 0.16);
+    float _e119 = curvature_signed_balanced(curvature, 0.16);
     float hollow_to_bulge = (0.5 + (0.5 * _e119));
     float bare_in_hollows = mix(0.1, 1.0, clamp(((hollow_to_bulge - 0.15) / 0.35), 0.0, 1.0));
     float white_chalk = (tone * bare_in_hollows);

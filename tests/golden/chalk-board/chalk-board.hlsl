@@ -135,50 +135,14 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x)
+float log2_stable(float x)
 {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    uint bits = asuint(x);
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_3)
-{
-    float y_1 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return float2(s, c);
+    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float3 normalize_moderate(float3 v, float3 otherwise)
@@ -191,6 +155,12 @@ float3 normalize_seen(float3 v_1)
 {
     const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
+}
+
+float log2_one_minus(float y)
+{
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -211,30 +181,19 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_1, u_1.half_cos));
+    float2 turned = (((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+float bounded(float x_1)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_4;
-}
-
-float bounded(float x_4)
-{
-    uint bits_1 = asuint(x_4);
+    uint bits_1 = asuint(x_1);
     uint magnitude = (bits_1 & 2147483647u);
     float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_2)
@@ -255,69 +214,37 @@ float3 bounded_vec3_(float3 v_3)
     return ((magnitude_2 < (2139095040u).xxx) ? v_3 : numbers_1);
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a), 50.0);
-    if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_2 : -(t_2));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_8 = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place_8.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e45 = profile_soft_quick(((place_8.x * turn.y) - (place_8.y * turn.x)), shape_1);
+    const float _e53 = profile_soft_quick(((place_8.x * turn.y) + (place_8.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
 {
-    const float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e16 = angle_turned(u_4, _e15);
-    const float _e17 = profile_point(_e16, shape_1);
-    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_2);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -364,9 +291,9 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 int3 naga_f2i32(float3 value) {
@@ -380,7 +307,7 @@ float perlin_noise(float3 p, uint seed_1)
 
     float3 corner = floor(p);
     float3 d_1 = (p - corner);
-    float3 f_2 = (((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 f = (((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
     int3 cell = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
@@ -400,7 +327,7 @@ float perlin_noise(float3 p, uint seed_1)
         int _e28 = i;
         int _e33 = i;
         int3 at_1 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
-        float3 weight = ((at_1 == (int(1)).xxx) ? f_2 : ((1.0).xxx - f_2));
+        float3 weight = ((at_1 == (int(1)).xxx) ? f : ((1.0).xxx - f));
         float _e44 = sum;
         const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_1))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
         const float _e61 = gradient_dot(_e58, (d_1 - float3(at_1)));
@@ -439,13 +366,13 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle_1)
 {
-    float2 turn = float2(0.0, 1.0);
-    float3 x_5 = ((turn.y * along) + (turn.x * across));
-    float3 y_2 = ((turn.y * across) - (turn.x * along));
+    float2 turn_1 = float2(sin(angle_1), cos(angle_1));
+    float3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
+    float3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
     const float2 _e17 = bounded_vec2_(place);
-    float2 turned_2 = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    float3 stretch_7 = float3(dot(x_5, x_5), dot(x_5, y_2), dot(y_2, y_2));
-    const float2 _e37 = bounded_vec2_(turned_2);
+    float2 turned_1 = float2(((turn_1.y * _e17.x) + (turn_1.x * _e17.y)), ((turn_1.y * _e17.y) - (turn_1.x * _e17.x)));
+    float3 stretch_7 = float3(dot(x_2, x_2), dot(x_2, y_1), dot(y_1, y_1));
+    const float2 _e37 = bounded_vec2_(turned_1);
     const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_7);
     return stretchedplace;
 }
@@ -509,8 +436,8 @@ MarkPlace mark_place_object(float angle_2, float3 anchor, float2 pixel_1, float2
     float size = clamp(_e5, 1e-6, 1000000.0);
     const float2 _e9 = place_in_picture(pixel_1, viewport_4);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_8 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_8, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
+    float2 place_9 = (_e15 / (size).xx);
+    const StretchedPlace _e28 = mark_place_of(place_9, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
     const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
@@ -522,33 +449,37 @@ float paper_octave(float2 place_4, int zoom, float w_1, float fiber, uint seed_2
     uint own = (seed_2 + (7u * asuint(zoom)));
     const float _e23 = perlin_noise(float3(p_4, 0.5), own);
     float grain = (_e23 - 0.5);
-    float2 q_2 = clamp((2.7 * float2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e52 = perlin_noise(float3(q_2, 0.5), (own + 1u));
+    float2 q_1 = clamp((2.7 * float2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), (-4194304.0).xx, (4194304.0).xx);
+    const float _e52 = perlin_noise(float3(q_1, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_5)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_5)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
+int naga_f2i32(float value) {
+    return int(clamp(value, -2147483600.0, 2147483500.0));
+}
+
 float paper_height(SpacedPlace at, float fiber_1, uint seed_3)
 {
     float height = (float)0;
 
-    float2 x_6 = ddx(at.place);
-    float2 y_3 = ddy(at.place);
-    float w_3 = sqrt(max(dot(x_6, x_6), dot(y_3, y_3)));
+    float2 x_3 = ddx(at.place);
+    float2 y_2 = ddy(at.place);
+    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_2, y_2)));
     const float _e12 = area_square(at.stretch);
     const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
-    float f_3 = (level - zoom_1);
+    float f_1 = (level - zoom_1);
     const float _e27 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, 0.5, seed_3);
     height = _e27;
-    if ((f_3 > 0.0)) {
+    if ((f_1 > 0.0)) {
         float _e31 = height;
         const float _e37 = paper_octave(at.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_3, 0.5, seed_3);
-        float both = lerp(_e31, _e37, f_3);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_3 * f_3) + ((1.0 - f_3) * (1.0 - f_3)))))), 0.0, 1.0);
+        float both = lerp(_e31, _e37, f_1);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
     float _e55 = height;
     return _e55;
@@ -603,15 +534,15 @@ float4 shade(Surface surface_1)
     float4 blue_gray = lerp(float4(0.1216, 0.1647, 0.1686, 1.0), float4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     float3 _e66 = look.back.direction;
     float3 _e75 = look.back.direction;
-    Angle turn_1 = ConstructAngle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
-    const float _e83 = profile(turn_1, 0.0, orange_chalk_shape);
+    Angle turn_2 = ConstructAngle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
+    const float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = (1.0 - _e83);
     float2 _e94 = look.viewport;
     const PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, int(9), _e94);
     const float _e99 = bounded((1.0 - _e95.tone));
     float4 orange = lerp(blue_gray, float4(0.9412, 0.6353, 0.3608, 1.0), _e99);
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e119 = curvature_signed(curvature, 0.16);
+    const float _e119 = curvature_signed_balanced(curvature, 0.16);
     float hollow_to_bulge = (0.5 + (0.5 * _e119));
     float bare_in_hollows = lerp(0.1, 1.0, clamp(((hollow_to_bulge - 0.15) / 0.35), 0.0, 1.0));
     float white_chalk = (tone * bare_in_hollows);

@@ -86,55 +86,15 @@ struct Varyings {
 constant float LOG2_E = 1.442695;
 constant ProfileShape orange_chalk_shape = ProfileShape {0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
+float log2_stable(
     float x
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x);
+    int exponent = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_3
-) {
-    float y_1 = x_3 * x_3;
-    float s = x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
-    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
-    return metal::float2(s, c);
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 metal::float3 normalize_moderate(
@@ -152,6 +112,13 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
+float log2_one_minus(
+    float y
+) {
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+}
+
 float angle_footprint(
     Angle u
 ) {
@@ -166,31 +133,19 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_1 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float bounded(
-    float x_4
+    float x_1
 ) {
-    uint bits_1 = as_type<uint>(x_4);
+    uint bits_1 = as_type<uint>(x_1);
     uint magnitude = bits_1 & 2147483647u;
     float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
@@ -213,80 +168,47 @@ metal::float3 bounded_vec3_(
     return metal::select(numbers_1, v_3, magnitude_2 < metal::uint3(2139095040u));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude_3 = metal::min(metal::abs(a), 50.0);
-    if (magnitude_3 < 0.0625) {
-        float a2_ = a * a;
-        return a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_3);
-    float t_2 = (1.0 - _e32) / (1.0 + _e32);
-    return (a >= 0.0) ? t_2 : -(t_2);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_3 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_4,
+float profile_filtered_quick(
+    Angle u_2,
     float w,
     ProfileShape shape_1
 ) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = w < (0.1 * shape_1.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_8 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
+    float _e19 = profile_soft_quick(place_8.x, shape_1);
+    if (w < (0.1 * shape_1.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place_8.x * turn.y) - (place_8.y * turn.x), shape_1);
+    float _e53 = profile_soft_quick((place_8.x * turn.y) + (place_8.y * turn.x), shape_1);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_2
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -335,9 +257,9 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a_1 = (axis == 0u) ? d.y : d.x;
+    float a = (axis == 0u) ? d.y : d.x;
     float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -352,7 +274,7 @@ float perlin_noise(
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d_1 = p - corner;
-    metal::float3 f_2 = ((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 f = ((d_1 * d_1) * d_1) * ((d_1 * ((d_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
@@ -372,7 +294,7 @@ float perlin_noise(
         int _e28 = i;
         int _e33 = i;
         metal::int3 at_1 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight = metal::select(metal::float3(1.0) - f_2, f_2, at_1 == metal::int3(1));
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at_1 == metal::int3(1));
         float _e44 = sum;
         metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
         float _e61 = gradient_dot(_e58, d_1 - static_cast<metal::float3>(at_1));
@@ -416,13 +338,13 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle_1
 ) {
-    metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x_5 = (turn.y * along) + (turn.x * across);
-    metal::float3 y_2 = (turn.y * across) - (turn.x * along);
+    metal::float2 turn_1 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
+    metal::float3 x_2 = (turn_1.y * along) + (turn_1.x * across);
+    metal::float3 y_1 = (turn_1.y * across) - (turn_1.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned_2 = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
-    metal::float3 stretch_7 = metal::float3(metal::dot(x_5, x_5), metal::dot(x_5, y_2), metal::dot(y_2, y_2));
-    metal::float2 _e37 = bounded_vec2_(turned_2);
+    metal::float2 turned_1 = metal::float2((turn_1.y * _e17.x) + (turn_1.x * _e17.y), (turn_1.y * _e17.y) - (turn_1.x * _e17.x));
+    metal::float3 stretch_7 = metal::float3(metal::dot(x_2, x_2), metal::dot(x_2, y_1), metal::dot(y_1, y_1));
+    metal::float2 _e37 = bounded_vec2_(turned_1);
     return StretchedPlace {_e37, {}, stretch_7};
 }
 
@@ -485,8 +407,8 @@ MarkPlace mark_place_object(
     float size = metal::clamp(_e5, 0.000001, 1000000.0);
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_4);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_8 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_8, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_2);
+    metal::float2 place_9 = _e15 / metal::float2(size);
+    StretchedPlace _e28 = mark_place_of(place_9, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_2);
     return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
@@ -502,12 +424,16 @@ float paper_octave(
     uint own = seed_2 + (7u * as_type<uint>(zoom));
     float _e23 = perlin_noise(metal::float3(p_4, 0.5), own);
     float grain = _e23 - 0.5;
-    metal::float2 q_2 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e52 = perlin_noise(metal::float3(q_2, 0.5), own + 1u);
+    metal::float2 q_1 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    float _e52 = perlin_noise(metal::float3(q_1, 0.5), own + 1u);
     float felt = _e52 - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * scale_5);
     float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_1) * scale_5);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
+}
+
+int naga_f2i32(float value) {
+    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
 float paper_height(
@@ -516,21 +442,21 @@ float paper_height(
     uint seed_3
 ) {
     float height = {};
-    metal::float2 x_6 = metal::dfdx(at.place);
-    metal::float2 y_3 = metal::dfdy(at.place);
-    float w_3 = metal::sqrt(metal::max(metal::dot(x_6, x_6), metal::dot(y_3, y_3)));
+    metal::float2 x_3 = metal::dfdx(at.place);
+    metal::float2 y_2 = metal::dfdy(at.place);
+    float w_3 = metal::sqrt(metal::max(metal::dot(x_3, x_3), metal::dot(y_2, y_2)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
     float zoom_1 = metal::floor(level);
-    float f_3 = level - zoom_1;
+    float f_1 = level - zoom_1;
     float _e27 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, 0.5, seed_3);
     height = _e27;
-    if (f_3 > 0.0) {
+    if (f_1 > 0.0) {
         float _e31 = height;
         float _e37 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_3, 0.5, seed_3);
-        float both = metal::mix(_e31, _e37, f_3);
-        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_3 * f_3) + ((1.0 - f_3) * (1.0 - f_3)))), 0.0, 1.0);
+        float both = metal::mix(_e31, _e37, f_1);
+        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
     float _e55 = height;
     return _e55;
@@ -601,15 +527,15 @@ metal::float4 shade(
     metal::float4 blue_gray = metal::mix(metal::float4(0.1216, 0.1647, 0.1686, 1.0), metal::float4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     metal::float3 _e66 = look.back.direction;
     metal::float3 _e75 = look.back.direction;
-    Angle turn_1 = Angle {0.5 * metal::length(surface_1.normal - _e66), 0.5 * metal::length(surface_1.normal + _e75)};
-    float _e83 = profile(turn_1, 0.0, orange_chalk_shape);
+    Angle turn_2 = Angle {0.5 * metal::length(surface_1.normal - _e66), 0.5 * metal::length(surface_1.normal + _e75)};
+    float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = 1.0 - _e83;
     metal::float2 _e94 = look.viewport;
     PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, 9, _e94);
     float _e99 = bounded(1.0 - _e95.tone);
     metal::float4 orange = metal::mix(blue_gray, metal::float4(0.9412, 0.6353, 0.3608, 1.0), _e99);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e119 = curvature_signed(curvature, 0.16);
+    float _e119 = curvature_signed_balanced(curvature, 0.16);
     float hollow_to_bulge = 0.5 + (0.5 * _e119);
     float bare_in_hollows = metal::mix(0.1, 1.0, metal::clamp((hollow_to_bulge - 0.15) / 0.35, 0.0, 1.0));
     float white_chalk = tone * bare_in_hollows;

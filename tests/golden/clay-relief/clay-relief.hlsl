@@ -139,40 +139,15 @@ float exp2_stable(float x)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float exp2_stable_2_(float x_1)
+float3 normalize_seen_balanced(float3 v)
 {
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float log2_stable(float x_2)
+float atan2_positive(float y, float x_1)
 {
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y, float x_3)
-{
-    float small = min(y, x_3);
-    float large = max(y, x_3);
+    float small = min(y, x_1);
+    float large = max(y, x_1);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -182,24 +157,24 @@ float atan2_positive(float y, float x_3)
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a_3 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_3) ? (HALF_PI - a_3) : a_3);
+    return ((y > x_1) ? (HALF_PI - a_3) : a_3);
 }
 
-float bounded(float x_4)
+float bounded(float x_2)
 {
-    uint bits_1 = asuint(x_4);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
+    uint bits = asuint(x_2);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_2)
+float2 bounded_vec2_(float2 v_1)
 {
-    uint2 bits_2 = asuint(v_2);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    uint2 bits_1 = asuint(v_1);
+    uint2 magnitude_1 = (bits_1 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_1 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_1 : numbers);
 }
 
 float divided(float a, float b)
@@ -211,35 +186,27 @@ float divided(float a, float b)
     return _e7;
 }
 
-float powered(float base, float exponent)
+float exponential_of(float x_3)
 {
-    float magnitude_2 = abs(base);
-    const float _e5 = log2_stable(max(magnitude_2, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable_2_((exponent * _e5));
-    return ((magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
-float exponential_of(float x_5)
-{
-    const float _e3 = bounded((x_5 * LOG2_E));
+    const float _e3 = bounded((x_3 * LOG2_E));
     const float _e4 = exp2_stable(_e3);
     return _e4;
 }
 
-float angle_of_point(float y_1, float x_6)
+float angle_of_point(float y_1, float x_4)
 {
-    const float2 _e3 = bounded_vec2_(float2(x_6, y_1));
+    const float2 _e3 = bounded_vec2_(float2(x_4, y_1));
     float2 p = abs(_e3);
     float2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     const float _e15 = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x_6 < 0.0) ? (PI - _e15) : _e15);
+    float turned = ((x_4 < 0.0) ? (PI - _e15) : _e15);
     return ((y_1 < 0.0) ? -(turned) : turned);
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_5)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_5);
+    float _e2 = ddy(x_5);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -247,8 +214,7 @@ float footprint_of(float x_7)
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    const float _e3 = powered(size, 0.41666666);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
@@ -263,34 +229,25 @@ float soft_light(float a_1, float b_1)
 
 float3 oklab_of_linear(float3 rgb)
 {
-    const float _e6 = log2_stable(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)));
-    const float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    const float _e15 = log2_stable(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)));
-    const float _e18 = exp2_stable_2_((0.33333334 * _e15));
-    const float _e24 = log2_stable(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)));
-    const float _e27 = exp2_stable_2_((0.33333334 * _e24));
-    return float3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
+    float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
+    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 float3 oklab_of_srgb(float3 coded)
 {
-    const float _e6 = log2_stable(((coded.x + 0.055) / 1.055));
-    const float _e9 = exp2_stable_2_((2.4 * _e6));
-    const float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
-    const float _e18 = exp2_stable_2_((2.4 * _e15));
-    const float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
-    const float _e27 = exp2_stable_2_((2.4 * _e24));
-    const float3 _e29 = oklab_of_linear(float3(_e9, _e18, _e27));
-    return _e29;
+    const float3 _e23 = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return _e23;
 }
 
 float3 srgb_of_oklab(float3 lab_1)
@@ -318,7 +275,7 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_8)
+RampPlace ramp_place(Ramp ramp, float x_6)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -346,7 +303,7 @@ RampPlace ramp_place(Ramp ramp, float x_8)
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[min(uint(naga_div(_e16, 4u)), 3u)][min(uint(naga_mod(_e20, 4u)), 3u)];
-        at = ((_e24 <= x_8) ? _e15 : _e14);
+        at = ((_e24 <= x_6) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 4u);
@@ -354,7 +311,7 @@ RampPlace ramp_place(Ramp ramp, float x_8)
     uint _e39 = at;
     float place = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
     float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e53 = divided((x_8 - place), (_e51 - place));
+    const float _e53 = divided((x_6 - place), (_e51 - place));
     float t_1 = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     float4 _e59 = colors[min(uint(_e57), 15u)];
@@ -377,12 +334,12 @@ float kappa_safe(float kappa)
 float curvature_signed(float kappa_1, float slope)
 {
     float a_4 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a_4), 50.0);
-    if ((magnitude_3 < 0.0625)) {
+    float magnitude_2 = min(abs(a_4), 50.0);
+    if ((magnitude_2 < 0.0625)) {
         float a2_ = (a_4 * a_4);
         return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_3));
+    const float _e32 = exp2_stable((-2.88539 * magnitude_2));
     float t_2 = ((1.0 - _e32) / (1.0 + _e32));
     return ((a_4 >= 0.0) ? t_2 : -(t_2));
 }
@@ -429,8 +386,7 @@ float rim(Light light_2, float3 normal_1, float3 view, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
-    float side = dot((normal_1 - (dot(normal_1, view) * view)), _e42);
+    float side = dot((normal_1 - (dot(normal_1, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -516,7 +472,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     float4 _e11 = view_1.eye;

@@ -94,47 +94,18 @@ float exp2_stable(
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable_2_(
-    float x_1
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 float atan2_positive(
     float y,
-    float x_3
+    float x_1
 ) {
-    float small = metal::min(y, x_3);
-    float large = metal::max(y, x_3);
+    float small = metal::min(y, x_1);
+    float large = metal::max(y, x_1);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -144,26 +115,26 @@ float atan2_positive(
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a_3 = is_wide ? (series + 0.7853982) : series;
-    return (y > x_3) ? (HALF_PI - a_3) : a_3;
+    return (y > x_1) ? (HALF_PI - a_3) : a_3;
 }
 
 float bounded(
-    float x_4
+    float x_2
 ) {
-    uint bits_1 = as_type<uint>(x_4);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x_2);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_2
+    metal::float2 v_1
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::uint2 bits_1 = as_type<metal::uint2>(v_1);
+    metal::uint2 magnitude_1 = bits_1 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_1 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_1, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float divided(
@@ -177,41 +148,31 @@ float divided(
     return _e7;
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude_2 = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude_2, SMALLEST_NORMAL));
-    float _e7 = exp2_stable_2_(exponent * _e5);
-    return (magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7;
-}
-
 float exponential_of(
-    float x_5
+    float x_3
 ) {
-    float _e3 = bounded(x_5 * LOG2_E);
+    float _e3 = bounded(x_3 * LOG2_E);
     float _e4 = exp2_stable(_e3);
     return _e4;
 }
 
 float angle_of_point(
     float y_1,
-    float x_6
+    float x_4
 ) {
-    metal::float2 _e3 = bounded_vec2_(metal::float2(x_6, y_1));
+    metal::float2 _e3 = bounded_vec2_(metal::float2(x_4, y_1));
     metal::float2 p = metal::abs(_e3);
     metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
     float _e15 = atan2_positive(scaled.y, scaled.x);
-    float turned = (x_6 < 0.0) ? (PI - _e15) : _e15;
+    float turned = (x_4 < 0.0) ? (PI - _e15) : _e15;
     return (y_1 < 0.0) ? -(turned) : turned;
 }
 
 float footprint_of(
-    float x_7
+    float x_5
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_5);
+    float _e2 = metal::dfdy(x_5);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -220,8 +181,7 @@ float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float _e3 = powered(size, 0.41666666);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055);
+    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
     return (light < 0.0) ? -(value_1) : value_1;
 }
 
@@ -239,36 +199,27 @@ float soft_light(
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float _e6 = log2_stable(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_(0.33333334 * _e6);
-    float _e15 = log2_stable(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable_2_(0.33333334 * _e15);
-    float _e24 = log2_stable(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable_2_(0.33333334 * _e24);
-    return metal::float3(((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27), ((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27), ((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
+    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    float _e6 = log2_stable((coded.x + 0.055) / 1.055);
-    float _e9 = exp2_stable_2_(2.4 * _e6);
-    float _e15 = log2_stable((coded.y + 0.055) / 1.055);
-    float _e18 = exp2_stable_2_(2.4 * _e15);
-    float _e24 = log2_stable((coded.z + 0.055) / 1.055);
-    float _e27 = exp2_stable_2_(2.4 * _e24);
-    metal::float3 _e29 = oklab_of_linear(metal::float3(_e9, _e18, _e27));
-    return _e29;
+    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return _e23;
 }
 
 metal::float3 srgb_of_oklab(
@@ -291,7 +242,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 RampPlace ramp_place(
     Ramp ramp,
-    float x_8
+    float x_6
 ) {
     type_6 colors = {};
     type_7 places = {};
@@ -318,7 +269,7 @@ RampPlace ramp_place(
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_8) ? _e15 : _e14;
+        at = (_e24 <= x_6) ? _e15 : _e14;
     }
     uint _e30 = at;
     uint after = metal::min(_e30 + 1u, 4u);
@@ -326,7 +277,7 @@ RampPlace ramp_place(
     uint _e39 = at;
     float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
     float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_8 - place, _e51 - place);
+    float _e53 = divided(x_6 - place, _e51 - place);
     float t_1 = metal::clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     metal::float4 _e59 = colors.inner[_e57];
@@ -354,12 +305,12 @@ float curvature_signed(
     float slope
 ) {
     float a_4 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope;
-    float magnitude_3 = metal::min(metal::abs(a_4), 50.0);
-    if (magnitude_3 < 0.0625) {
+    float magnitude_2 = metal::min(metal::abs(a_4), 50.0);
+    if (magnitude_2 < 0.0625) {
         float a2_ = a_4 * a_4;
         return a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e32 = exp2_stable(-2.88539 * magnitude_3);
+    float _e32 = exp2_stable(-2.88539 * magnitude_2);
     float t_2 = (1.0 - _e32) / (1.0 + _e32);
     return (a_4 >= 0.0) ? t_2 : -(t_2);
 }
@@ -418,8 +369,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
-    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
-    float side = metal::dot(normal_1 - (metal::dot(normal_1, view) * view), _e42);
+    float side = metal::dot(normal_1 - (metal::dot(normal_1, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -531,7 +481,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
     metal::float4 _e11 = view_1.eye;

@@ -90,110 +90,64 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_1) {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float exp2_stable_2_(float x_2) {
-    float whole_1 = roundEven(x_2);
-    float f_1 = (x_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+vec2 sin_cos_quick(float x_1) {
+    float y_1 = (x_1 * x_1);
+    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_1, c);
 }
 
-float exp2_stable_3_(float x_3) {
-    float clamped_2 = max(x_3, -126.0);
-    float whole_2 = roundEven(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
-}
-
-float log2_stable(float x_4) {
-    uint bits = floatBitsToUint(x_4);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_5) {
-    float y_1 = (x_5 * x_5);
-    float s = (x_5 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_6) {
-    float y_2 = (x_6 * x_6);
-    float s_1 = (x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_7) {
-    uint bits_1 = floatBitsToUint(x_7);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+float bounded(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float eased(float x_8, float low, float high) {
-    float _e3 = bounded(x_8);
+float eased(float x_3, float low, float high) {
+    float _e3 = bounded(x_3);
     float _e8 = bounded(((_e3 - 0.5) / 0.5));
     float t_2 = clamp(_e8, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
-float length_of(vec3 v_3) {
-    float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
+float length_of(vec3 v_2) {
+    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
     if ((largest_2 < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e16 = bounded((largest_2 * length((v_3 / vec3(largest_2)))));
+    float _e16 = bounded((largest_2 * length((v_2 / vec3(largest_2)))));
     return _e16;
 }
 
-float footprint_of_vec3_(vec3 v_4) {
-    vec3 dx_1 = dFdx(v_4);
-    vec3 dy_1 = dFdy(v_4);
+float footprint_of_vec3_(vec3 v_3) {
+    vec3 dx_1 = dFdx(v_3);
+    vec3 dy_1 = dFdy(v_3);
     float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
     return _e7;
 }
@@ -202,16 +156,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_1 = min(abs(a), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_3 : -(t_3));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
@@ -222,9 +168,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
         return normal;
     }
     vec3 s_3 = (along_x.xyz / vec3(largest_3));
-    vec3 t_4 = (along_y.xyz / vec3(largest_3));
+    vec3 t_3 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_4, normal);
+    vec3 right = cross(t_3, normal);
     vec3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -263,149 +209,69 @@ LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
     return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
 }
 
-Angle parametrization_specular(Light light_2, vec3 normal_2, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal_2);
-    return Angle((0.5 * length((_e8 - light_2.direction))), (0.5 * length((_e8 + light_2.direction))));
+Angle parametrization_specular_balanced(Light light_2, vec3 normal_2, vec3 view) {
+    vec3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
+    return Angle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_4 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
+    vec2 place = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_2 = (s_4 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
-}
-
-float profile_point_2_(Angle u_3, ProfileShape shape_1) {
-    float s_5 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_3 = (s_5 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_4, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_4, shape_2);
-    bool is_wide = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_5, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_1 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point_2_(_e16, shape_3);
-    Angle _e22 = angle_turned(u_5, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
-    return _e8;
-}
-
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_1));
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_5);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_5 = uvec3(0u);
-    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_5;
-    uvec3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_5;
+    uvec3 v_4 = uvec3(0u);
+    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_4;
+    uvec3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_4;
     return _e61;
 }
 
@@ -416,9 +282,9 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 vec3 fade_quintic(vec3 t_1) {
@@ -429,8 +295,8 @@ float perlin_noise(vec3 p, uint seed_2) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d_1 = (p - corner);
-    vec3 _e4 = fade_quintic(d_1);
+    vec3 d_2 = (p - corner);
+    vec3 _e4 = fade_quintic(d_2);
     ivec3 cell_1 = ivec3(corner);
     bool loop_init = true;
     while(true) {
@@ -452,7 +318,7 @@ float perlin_noise(vec3 p, uint seed_2) {
             vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at, ivec3(1)));
             float _e32 = sum;
             uvec3 _e39 = lattice_hash((cell_1 + at), seed_2);
-            float _e42 = gradient_dot(_e39, (d_1 - vec3(at)));
+            float _e42 = gradient_dot(_e39, (d_2 - vec3(at)));
             sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
         }
     }
@@ -460,7 +326,7 @@ float perlin_noise(vec3 p, uint seed_2) {
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_2) {
+float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_1) {
     float octave = 0.0;
     int i_1 = 0;
     float frequency = 1.0;
@@ -479,15 +345,15 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        float _e25 = eased((w_1 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            vec3 place = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            float _e50 = perlin_noise(place_1, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -515,17 +381,17 @@ float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughnes
 }
 
 vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.09);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.09);
     float shade_in_hollows_convexity = (0.5 + (0.5 * _e3));
     vec4 _e18 = curvature_color(shade_in_hollows_convexity, vec4(0.851, 0.5412, 0.4, 1.0), vec4(0.6902, 0.3765, 0.2902, 1.0));
-    vec3 place_1 = surface_1.position_object;
-    float _e24 = noise_perlin(place_1, 2.6, 2, 0.4, 0);
+    vec3 place_2 = surface_1.position_object;
+    float _e24 = noise_perlin(place_2, 2.6, 2, 0.4, 0);
     vec3 _e28 = bump_map(_e24, 0.05, surface_1.normal, surface_1.position);
     vec3 _e32 = u_look.window.direction;
     vec3 _e40 = u_look.window.direction;
     Angle body_angle = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
     float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
-    float _e53 = profile(body_angle, body_warp, body_tone_shape);
+    float _e53 = profile_balanced(body_angle, body_warp, body_tone_shape);
     Light _e56 = u_look.window;
     LitLayer _e57 = light_apply(_e56, _e18, _e53);
     vec4 _e67 = blend_alpha(vec4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
@@ -533,22 +399,22 @@ vec4 shade(Surface surface_1) {
     Light _e78 = u_look.window;
     LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
     vec4 shade_in_hollows_blend = clamp(vec4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e102 = curvature_signed(surface_1.kappa, 0.15);
+    float _e102 = curvature_signed_balanced(surface_1.kappa, 0.15);
     float soft_sheen_convexity = (0.5 + (0.5 * _e102));
     vec4 _e117 = curvature_color(soft_sheen_convexity, vec4(0.4157, 0.2353, 0.1804, 1.0), vec4(0.2902, 0.1412, 0.1216, 1.0));
     vec3 _e121 = u_look.table.direction;
     vec3 _e129 = u_look.table.direction;
     Angle bounce_angle = Angle((0.5 * length((_e28 - _e121))), (0.5 * length((_e28 + _e129))));
     float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
-    float _e142 = profile_2_(bounce_angle, bounce_warp, bounce_tone_shape);
+    float _e142 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     Light _e145 = u_look.table;
     LitLayer _e146 = light_apply(_e145, _e117, _e142);
     vec4 bounce_blend = clamp(vec4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e170 = curvature_color(soft_sheen_convexity, vec4(0.302, 0.2039, 0.1686, 1.0), vec4(0.1647, 0.102, 0.0863, 1.0));
     Light _e173 = u_look.window;
-    Angle _e175 = parametrization_specular(_e173, _e28, surface_1.view);
+    Angle _e175 = parametrization_specular_balanced(_e173, _e28, surface_1.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    float _e183 = profile_3_(_e175, soft_sheen_warp, soft_sheen_tone_shape);
+    float _e183 = profile_balanced(_e175, soft_sheen_warp, soft_sheen_tone_shape);
     Light _e186 = u_look.window;
     LitLayer _e187 = light_apply(_e186, _e170, _e183);
     vec4 output_ = clamp(vec4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -559,7 +425,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     vec4 _e11 = u_view.eye;

@@ -141,79 +141,23 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+float3 normalize_seen_balanced(float3 v_1)
+{
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float exp2_stable(float x_1)
+float2 sin_cos_quick(float x_1)
 {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float y_1 = (x_1 * x_1);
+    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return float2(s_1, c);
 }
 
-float exp2_stable_2_(float x_2)
+float log2_one_minus(float y)
 {
-    float whole_1 = round(x_2);
-    float f_1 = (x_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_3_(float x_3)
-{
-    float clamped_2 = max(x_3, -126.0);
-    float whole_2 = round(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_4)
-{
-    uint bits = asuint(x_4);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_eighth(float x_5)
-{
-    float y_1 = (x_5 * x_5);
-    float s = (x_5 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return float2(s, c);
-}
-
-float2 sin_cos_tiny(float x_6)
-{
-    float y_2 = (x_6 * x_6);
-    float s_1 = (x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return float2(s_1, c_1);
-}
-
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
-{
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -221,8 +165,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -235,43 +179,43 @@ Angle ConstructAngle(float arg0, float arg1) {
 Angle angle_turned(Angle u_1, float2 t)
 {
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
+    float2 turned = (((s_2 <= 0.0) & (s_2 < c_1)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
+    return angle_1;
 }
 
-float bounded(float x_7)
+float bounded(float x_2)
 {
-    uint bits_1 = asuint(x_7);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    uint bits = asuint(x_2);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float eased(float x_8, float low, float high)
+float eased(float x_3, float low, float high)
 {
-    const float _e3 = bounded(x_8);
+    const float _e3 = bounded(x_3);
     const float _e8 = bounded(((_e3 - 0.5) / 0.5));
     float t_2 = clamp(_e8, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
-float length_of(float3 v_3)
+float length_of(float3 v_2)
 {
-    float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
+    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
     if ((largest_2 < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e16 = bounded((largest_2 * length((v_3 / (largest_2).xxx))));
+    const float _e16 = bounded((largest_2 * length((v_2 / (largest_2).xxx))));
     return _e16;
 }
 
-float footprint_of_vec3_(float3 v_4)
+float footprint_of_vec3_(float3 v_3)
 {
-    float3 dx_1 = ddx(v_4);
-    float3 dy_1 = ddy(v_4);
+    float3 dx_1 = ddx(v_3);
+    float3 dy_1 = ddy(v_3);
     const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
     return _e7;
 }
@@ -281,17 +225,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_1 = min(abs(a), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_3 : -(t_3));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
@@ -303,9 +239,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
         return normal;
     }
     float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_4 = (along_y.xyz / (largest_3).xxx);
+    float3 t_3 = (along_y.xyz / (largest_3).xxx);
     float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_4, normal);
+    float3 right = cross(t_3, normal);
     float3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -357,164 +293,76 @@ LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
     return litlayer_1;
 }
 
-Angle parametrization_specular(Light light_2, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light_2, float3 normal_2, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal_2);
-    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_2.direction))), (0.5 * length((_e8 + light_2.direction))));
-    return angle_4;
+    float3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
+    const Angle angle_2 = ConstructAngle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+    return angle_2;
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape)
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
 {
-    float s_4 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
+    float2 place = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_2 = (s_4 * shape.scale);
-    const float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
+    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
-}
-
-float profile_point_2_(Angle u_3, ProfileShape shape_1)
-{
-    float s_5 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_5 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_3 = (s_5 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_4, float w, ProfileShape shape_2)
-{
-    const float _e3 = profile_point(u_4, shape_2);
-    bool is_wide = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e16 = angle_turned(u_4, _e15);
-    const float _e17 = profile_point(_e16, shape_2);
-    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_5, float w_1, ProfileShape shape_3)
-{
-    const float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_1 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e16 = angle_turned(u_5, _e15);
-    const float _e17 = profile_point_2_(_e16, shape_3);
-    const Angle _e22 = angle_turned(u_5, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point_2_(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4)
-{
-    const float2 _e5 = sin_cos_eighth((0.5 * shift));
+    const float2 _e5 = sin_cos_quick((0.5 * shift));
     const Angle _e6 = angle_turned(angle, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_4);
-    return _e8;
-}
-
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
-{
-    const float2 _e5 = sin_cos_tiny((0.5 * shift_1));
-    const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_5);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_6)
-{
-    const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
-    const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_5 = (uint3)0;
+    uint3 v_4 = (uint3)0;
 
-    v_5 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_5;
-    uint3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_5;
+    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_4;
+    uint3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -531,9 +379,9 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 float3 fade_quintic(float3 t_1)
@@ -551,8 +399,8 @@ float perlin_noise(float3 p, uint seed_2)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d_1 = (p - corner);
-    const float3 _e4 = fade_quintic(d_1);
+    float3 d_2 = (p - corner);
+    const float3 _e4 = fade_quintic(d_2);
     int3 cell_1 = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
@@ -577,7 +425,7 @@ float perlin_noise(float3 p, uint seed_2)
             float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
             float _e32 = sum;
             const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_1 - float3(at)));
+            const float _e42 = gradient_dot(_e39, (d_2 - float3(at)));
             sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
         }
     }
@@ -585,7 +433,7 @@ float perlin_noise(float3 p, uint seed_2)
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_2)
+float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_1)
 {
     float octave = (float)0;
     int i_1 = int(0);
@@ -609,15 +457,15 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        const float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        const float _e25 = eased((w_1 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            float3 place = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_1;
-            const float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            const float _e50 = perlin_noise(place_1, (0u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -647,17 +495,17 @@ float noise_perlin(float3 position_1, float scale_1, int octaves_1, float roughn
 
 float4 shade(Surface surface_1)
 {
-    const float _e3 = curvature_signed(surface_1.kappa, 0.09);
+    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.09);
     float shade_in_hollows_convexity = (0.5 + (0.5 * _e3));
     const float4 _e18 = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
-    float3 place_1 = surface_1.position_object;
-    const float _e24 = noise_perlin(place_1, 2.6, int(2), 0.4, int(0));
+    float3 place_2 = surface_1.position_object;
+    const float _e24 = noise_perlin(place_2, 2.6, int(2), 0.4, int(0));
     const float3 _e28 = bump_map(_e24, 0.05, surface_1.normal, surface_1.position);
     float3 _e32 = look.window.direction;
     float3 _e40 = look.window.direction;
     Angle body_angle = ConstructAngle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
     float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
-    const float _e53 = profile(body_angle, body_warp, body_tone_shape);
+    const float _e53 = profile_balanced(body_angle, body_warp, body_tone_shape);
     Light _e56 = look.window;
     const LitLayer _e57 = light_apply(_e56, _e18, _e53);
     const float4 _e67 = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
@@ -665,22 +513,22 @@ float4 shade(Surface surface_1)
     Light _e78 = look.window;
     const LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
     float4 shade_in_hollows_blend = clamp(float4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e102 = curvature_signed(surface_1.kappa, 0.15);
+    const float _e102 = curvature_signed_balanced(surface_1.kappa, 0.15);
     float soft_sheen_convexity = (0.5 + (0.5 * _e102));
     const float4 _e117 = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
     float3 _e121 = look.table.direction;
     float3 _e129 = look.table.direction;
     Angle bounce_angle = ConstructAngle((0.5 * length((_e28 - _e121))), (0.5 * length((_e28 + _e129))));
     float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
-    const float _e142 = profile_2_(bounce_angle, bounce_warp, bounce_tone_shape);
+    const float _e142 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     Light _e145 = look.table;
     const LitLayer _e146 = light_apply(_e145, _e117, _e142);
     float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     const float4 _e170 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
     Light _e173 = look.window;
-    const Angle _e175 = parametrization_specular(_e173, _e28, surface_1.view);
+    const Angle _e175 = parametrization_specular_balanced(_e173, _e28, surface_1.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    const float _e183 = profile_3_(_e175, soft_sheen_warp, soft_sheen_tone_shape);
+    const float _e183 = profile_balanced(_e175, soft_sheen_warp, soft_sheen_tone_shape);
     Light _e186 = look.window;
     const LitLayer _e187 = light_apply(_e186, _e170, _e183);
     float4 output = clamp(float4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -715,7 +563,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_5;
     float4 _e11 = view_1.eye;

@@ -90,89 +90,29 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_3(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+fn sin_cos_quick(x: f32) -> vec2f {
     let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425
+        + y * (-0.0001982274 + y * 2.6347564e-6))));
+    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
 }
 
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -237,19 +177,10 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -317,9 +248,8 @@ struct LitLayer {
     tone: f32,
 }
 
-fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let mirrored = 2.0 * dot(normal, view) * normal - view;
-    let d = normalize_moderate(mirrored, normal);
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let d = 2.0 * dot(normal, view) * normal - view;
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -342,118 +272,32 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
-    let q = s * shape.scale;
-    return profile_power_2(q, shape.exponent);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_2(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_3(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
-        return point;
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_2(angle_turned(u, reach), shape);
-    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 const NOISE_PERLIN: u32 = 1u;
@@ -550,30 +394,30 @@ const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let shade_in_hollows_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.09);
+    let shade_in_hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.09);
     let body_color = curvature_color(shade_in_hollows_convexity, vec4f(0.851, 0.5412, 0.4, 1.0), vec4f(0.6902, 0.3765, 0.2902, 1.0));
     let place = surface.position_object;
     let finger_marks = noise_perlin(place, 2.6, 2i, 0.4, 0i);
     let skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
     let body_angle = Angle(0.5 * length(skin - look.window.direction), 0.5 * length(skin + look.window.direction));
     let body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
-    let body_tone = profile(body_angle, body_warp, body_tone_shape);
+    let body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.window, body_color, body_tone);
     let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
     let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
     let shade_in_hollows_lit = light_apply_2(look.window, shade_in_hollows_color, 1.0);
     let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8 * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz) - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let soft_sheen_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.15);
+    let soft_sheen_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.15);
     let bounce_color = curvature_color(soft_sheen_convexity, vec4f(0.4157, 0.2353, 0.1804, 1.0), vec4f(0.2902, 0.1412, 0.1216, 1.0));
     let bounce_angle = Angle(0.5 * length(skin - look.table.direction), 0.5 * length(skin + look.table.direction));
     let bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
-    let bounce_tone = profile_2(bounce_angle, bounce_warp, bounce_tone_shape);
+    let bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
     let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + bounce_lit.tone * bounce_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0), vec4f(0.1647, 0.102, 0.0863, 1.0));
-    let soft_sheen_angle = parametrization_specular(look.window, skin, surface.view);
+    let soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
     let soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
-    let soft_sheen_tone = profile_3(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    let soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
     let soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
     let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + soft_sheen_lit.tone * soft_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = soft_sheen_blend;
@@ -605,7 +449,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

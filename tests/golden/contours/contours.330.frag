@@ -71,14 +71,8 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float bounded(float x_1) {
@@ -178,16 +172,16 @@ float reflectance_half_lambert(Light light, vec3 normal) {
 float inner_contour_suggestive(float width, float limit, float softness, vec3 tensor_2, vec3 normal_1, vec3 view, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
     vec3 _e10 = tensor_safe(tensor_2);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = dFdx(radial);
     float _e37 = dFdy(radial);
     vec2 change = vec2(_e36, _e37);
-    vec3 v_3 = (camera_from_world * view);
+    vec3 v_2 = (camera_from_world * view);
     vec3 row = dFdy(place);
-    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
     float x_7 = ((toward_eye * height) * 0.05);
@@ -239,7 +233,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     vec4 _e11 = u_view.eye;

@@ -134,16 +134,9 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float bounded(float x_1)
@@ -262,16 +255,16 @@ float inner_contour_suggestive(float width, float limit, float softness, float3 
 {
     float3 n = mul(normal_1, camera_from_world);
     const float3 _e10 = tensor_safe(tensor_2);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = ddx(radial);
     float _e37 = ddy(radial);
     float2 change = float2(_e36, _e37);
-    float3 v_3 = mul(view, camera_from_world);
+    float3 v_2 = mul(view, camera_from_world);
     float3 row = ddy(place);
-    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
     float x_7 = ((toward_eye * height) * 0.05);
@@ -349,7 +342,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_5;
     float4 _e11 = view_2.eye;

@@ -90,19 +90,10 @@ metal::float3 normalize_or(
     return scaled * (1.0 / metal::sqrt(square));
 }
 
-metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+metal::float3 normalize_seen_balanced(
+    metal::float3 v_1
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_2
-) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
 }
 
 float bounded(
@@ -245,16 +236,16 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal_1;
     metal::float3 _e10 = tensor_safe(tensor_2);
-    float square_2 = metal::dot(n.xy, n.xy);
-    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_2, 0.000001);
+    float square_1 = metal::dot(n.xy, n.xy);
+    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
     float _e36 = metal::dfdx(radial);
     float _e37 = metal::dfdy(radial);
     metal::float2 change = metal::float2(_e36, _e37);
-    metal::float3 v_3 = camera_from_world * view;
+    metal::float3 v_2 = camera_from_world * view;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
+    float up = ((row - (metal::dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_2, 0.000001));
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
     float pixels = (1.5 * height) / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
     float x_7 = (toward_eye * height) * 0.05;
@@ -365,7 +356,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_3 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
     surface.normal = normal_3;
     metal::float4 _e11 = view_2.eye;

@@ -38,7 +38,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u);
 const ProfileShape specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u);

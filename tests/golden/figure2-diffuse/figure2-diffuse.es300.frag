@@ -47,14 +47,8 @@ vec4 finite_vec4_(vec4 v) {
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float atan2_positive(float y, float x) {
@@ -84,12 +78,12 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_3) {
-    uvec4 bits_1 = floatBitsToUint(v_3);
+vec4 bounded_vec4_(vec4 v_2) {
+    uvec4 bits_1 = floatBitsToUint(v_2);
     uvec4 magnitude_1 = (bits_1 & uvec4(2147483647u));
     vec4 largest_1 = uintBitsToFloat(((bits_1 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -251,7 +245,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
     surface.normal = normal;
     Surface _e8 = surface;

@@ -108,16 +108,9 @@ float4 finite_vec4_(float4 v)
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float atan2_positive(float y, float x)
@@ -150,13 +143,13 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float4 bounded_vec4_(float4 v_3)
+float4 bounded_vec4_(float4 v_2)
 {
-    uint4 bits_1 = asuint(v_3);
+    uint4 bits_1 = asuint(v_2);
     uint4 magnitude_1 = (bits_1 & (2147483647u).xxxx);
     float4 largest_1 = asfloat(((bits_1 & (2147483648u).xxxx) | (2139095039u).xxxx));
     float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
-    return ((magnitude_1 < (2139095040u).xxxx) ? v_3 : numbers);
+    return ((magnitude_1 < (2139095040u).xxxx) ? v_2 : numbers);
 }
 
 float divided(float a, float b)
@@ -365,7 +358,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     Surface _e8 = surface;

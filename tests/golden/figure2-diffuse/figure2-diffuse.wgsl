@@ -81,17 +81,10 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// The angle u in radians.
@@ -278,7 +271,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

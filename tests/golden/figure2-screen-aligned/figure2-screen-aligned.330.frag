@@ -44,14 +44,8 @@ vec4 finite_vec4_(vec4 v) {
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float atan2_positive(float y, float x) {
@@ -81,12 +75,12 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_3) {
-    uvec4 bits_1 = floatBitsToUint(v_3);
+vec4 bounded_vec4_(vec4 v_2) {
+    uvec4 bits_1 = floatBitsToUint(v_2);
     uvec4 magnitude_1 = (bits_1 & uvec4(2147483647u));
     vec4 largest_1 = uintBitsToFloat(((bits_1 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -230,16 +224,15 @@ vec4 output_(vec4 color_1) {
     return _e2;
 }
 
-Angle parametrization_screen_aligned(Light light, vec3 normal, mat3x3 camera_from_world) {
-    vec3 n = (camera_from_world * normal);
-    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
-    return Angle((0.5 * length((_e8 - light.own_direction))), (0.5 * length((_e8 + light.own_direction))));
+Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 camera_from_world) {
+    vec3 d_2 = (camera_from_world * normal);
+    return Angle((0.5 * length((d_2 - light.own_direction))), (0.5 * length((d_2 + light.own_direction))));
 }
 
 vec4 shade(Surface surface_1) {
     Light _e3 = u_look.key;
     mat3x3 _e7 = u_look.camera_from_world;
-    Angle _e8 = parametrization_screen_aligned(_e3, surface_1.normal, _e7);
+    Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface_1.normal, _e7);
     float _e9 = angle_radians(_e8);
     float angle_over_pi = (_e9 / 3.1415927);
     float _e13 = footprint_of(angle_over_pi);
@@ -254,7 +247,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     Surface _e8 = surface;

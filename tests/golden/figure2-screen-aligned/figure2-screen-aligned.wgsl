@@ -82,17 +82,10 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// The angle u in radians.
@@ -246,10 +239,9 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
-    -> Angle {
-    let n = camera_from_world * normal;
-    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
+fn parametrization_screen_aligned_balanced(light: Light, normal: vec3f,
+    camera_from_world: mat3x3f) -> Angle {
+    let d = camera_from_world * normal;
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
@@ -257,7 +249,7 @@ const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let angle = parametrization_screen_aligned(look.key, surface.normal, look.camera_from_world);
+    let angle = parametrization_screen_aligned_balanced(look.key, surface.normal, look.camera_from_world);
     let angle_over_pi = angle_radians(angle) / 3.1415927;
     let color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
     let output_alpha = vec4f(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
@@ -286,7 +278,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

@@ -53,14 +53,8 @@ vec4 finite_vec4_(vec4 v) {
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float atan2_positive(float y, float x) {
@@ -90,12 +84,12 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_3) {
-    uvec4 bits_1 = floatBitsToUint(v_3);
+vec4 bounded_vec4_(vec4 v_2) {
+    uvec4 bits_1 = floatBitsToUint(v_2);
     uvec4 magnitude_1 = (bits_1 & uvec4(2147483647u));
     vec4 largest_1 = uintBitsToFloat(((bits_1 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -239,15 +233,14 @@ vec4 output_(vec4 color_1) {
     return _e2;
 }
 
-Angle parametrization_specular(Light light, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light.direction))), (0.5 * length((_e8 + light.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
 }
 
 vec4 shade(Surface surface_1) {
     Light _e3 = u_look.key;
-    Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
     float _e7 = angle_radians(_e6);
     float angle_over_pi = (_e7 / 3.1415927);
     float _e11 = footprint_of(angle_over_pi);
@@ -262,7 +255,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -113,16 +113,9 @@ float4 finite_vec4_(float4 v)
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float atan2_positive(float y, float x)
@@ -155,13 +148,13 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float4 bounded_vec4_(float4 v_3)
+float4 bounded_vec4_(float4 v_2)
 {
-    uint4 bits_1 = asuint(v_3);
+    uint4 bits_1 = asuint(v_2);
     uint4 magnitude_1 = (bits_1 & (2147483647u).xxxx);
     float4 largest_1 = asfloat(((bits_1 & (2147483648u).xxxx) | (2139095039u).xxxx));
     float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
-    return ((magnitude_1 < (2139095040u).xxxx) ? v_3 : numbers);
+    return ((magnitude_1 < (2139095040u).xxxx) ? v_2 : numbers);
 }
 
 float divided(float a, float b)
@@ -333,18 +326,17 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle parametrization_specular(Light light, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal);
-    const Angle angle = ConstructAngle((0.5 * length((_e8 - light.direction))), (0.5 * length((_e8 + light.direction))));
+    float3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle = ConstructAngle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
     return angle;
 }
 
 float4 shade(Surface surface_1)
 {
     Light _e3 = look.key;
-    const Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    const Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
     const float _e7 = angle_radians(_e6);
     float angle_over_pi = (_e7 / 3.1415927);
     const float _e11 = footprint_of(angle_over_pi);
@@ -378,7 +370,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

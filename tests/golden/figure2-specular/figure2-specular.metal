@@ -74,19 +74,10 @@ metal::float4 finite_vec4_(
     return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
 }
 
-metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise
+metal::float3 normalize_seen_balanced(
+    metal::float3 v_1
 ) {
-    float square = metal::dot(v_1, v_1);
-    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_2
-) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
 }
 
 float atan2_positive(
@@ -124,13 +115,13 @@ float bounded(
 }
 
 metal::float4 bounded_vec4_(
-    metal::float4 v_3
+    metal::float4 v_2
 ) {
-    metal::uint4 bits_1 = as_type<metal::uint4>(v_3);
+    metal::uint4 bits_1 = as_type<metal::uint4>(v_2);
     metal::uint4 magnitude_1 = bits_1 & metal::uint4(2147483647u);
     metal::float4 largest_1 = as_type<metal::float4>((bits_1 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
     metal::float4 numbers = metal::select(metal::float4(0.0), largest_1, magnitude_1 == metal::uint4(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint4(2139095040u));
+    return metal::select(numbers, v_2, magnitude_1 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -316,14 +307,13 @@ Color output(
     return _e2;
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light.direction), 0.5 * metal::length(_e8 + light.direction)};
+    metal::float3 d_2 = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d_2 - light.direction), 0.5 * metal::length(d_2 + light.direction)};
 }
 
 metal::float4 shade(
@@ -331,7 +321,7 @@ metal::float4 shade(
     constant Look& look
 ) {
     Light _e3 = look.key;
-    Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
+    Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
     float _e7 = angle_radians(_e6);
     float angle_over_pi = _e7 / 3.1415927;
     float _e11 = footprint_of(angle_over_pi);
@@ -387,7 +377,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

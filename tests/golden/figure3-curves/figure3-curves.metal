@@ -76,66 +76,29 @@ float finite_or(
     return _e2 ? x_1 : otherwise;
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
+metal::float2 sin_cos_quarter(
     float x_2
 ) {
-    float whole = metal::rint(x_2);
-    float f = x_2 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_3
-) {
-    float clamped_2 = metal::max(x_3, -126.0);
-    float whole_1 = metal::rint(clamped_2);
-    float f_1 = clamped_2 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_4
-) {
-    uint bits = as_type<uint>(x_4);
-    int exponent_3 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_3) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_quarter(
-    float x_5
-) {
-    float h = 0.5 * x_5;
+    float h = 0.5 * x_2;
     float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
+    float s_4 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2((2.0 * s_4) * c, 1.0 - ((2.0 * s_4) * s_4));
 }
 
-metal::float2 sin_cos_tiny(
-    float x_6
+float log2_one_minus(
+    float y
 ) {
-    float y_1 = x_6 * x_6;
-    float s_1 = x_6 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
-    float c_1 = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
-    return metal::float2(s_1, c_1);
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+}
+
+float log2_one_minus_2_(
+    float y_1
+) {
+    float series_1 = (-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2))))))));
+    return (y_1 < 0.0625) ? series_1 : metal::log2(1.0 - y_1);
 }
 
 Angle angle_of(
@@ -161,39 +124,28 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
+    float s_5 = u_1.half_sin - (u_1.half_cos * 0.0);
+    float c_1 = u_1.half_cos + (u_1.half_sin * 0.0);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, c_1);
+    metal::float2 turned = ((s_5 <= 0.0) & (s_5 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_3 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
-    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float footprint_of(
-    float x_7
+    float x_3
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_3);
+    float _e2 = metal::dfdy(x_3);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
 
 float step_filtered(
-    float x_8,
+    float x_4,
     float edge,
     float w
 ) {
-    float d_1 = x_8 - edge;
+    float d_1 = x_4 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_1 / w), 0.0, 1.0);
 }
 
@@ -217,189 +169,123 @@ Composite blend_alpha_2_(
     return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e20 = exp2_stable(_e19);
-    return metal::min(_e20, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_4 = u_3.half_sin - (u_3.half_cos * 0.0);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_4 * shape.scale;
-    float _e15 = profile_power(q_3, 1.0);
-    return _e15;
+    float q = s * shape.scale;
+    float _e7 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(_e7), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_soft_quick_2_(
+    float s_1,
     ProfileShape shape_1
 ) {
-    float s_5 = u_4.half_sin - (u_4.half_cos * 0.0);
-    if ((s_5 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_4 = s_5 * shape_1.scale;
-    float _e15 = profile_power_2_(q_4, shape_1.exponent);
-    return _e15;
+    float q_1 = s_1 * shape_1.scale;
+    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
+    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(shape_1.exponent * _e8), 1.0));
 }
 
-float profile_power_3_(
-    float q_2,
-    float exponent_2
-) {
-    float log_base_2 = 0.0;
-    if (q_2 >= 1.0) {
-        return 0.0;
-    }
-    if (q_2 < 0.5) {
-        float _e11 = log1p_negative_small(q_2 * q_2);
-        log_base_2 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_2) * (1.0 + q_2));
-        log_base_2 = _e18;
-    }
-    float _e19 = log_base_2;
-    float _e21 = exp2_stable_2_(exponent_2 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_3_(
-    Angle u_5,
+float profile_soft_quick_3_(
+    float s_2,
     ProfileShape shape_2
 ) {
-    float s_6 = (u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset);
-    if ((s_6 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_5 = s_6 * shape_2.scale;
-    float _e17 = profile_power_3_(q_5, shape_2.exponent);
-    return _e17;
+    float q_2 = s_2 * shape_2.scale;
+    float _e6 = log2_one_minus_2_(q_2 * q_2);
+    return (s_2 <= 0.0) ? 1.0 : metal::min(metal::exp2(shape_2.exponent * _e6), 1.0);
 }
 
-float profile_filtered(
-    Angle u_6,
-    float w_1,
+float profile_soft_quick_4_(
+    float s_3,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide = w_1 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide | (w_1 <= 0.0)) | false) {
-        return _e3;
-    }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float q_3 = s_3 * shape_3.scale;
+    float _e8 = log2_one_minus(metal::min(q_3 * q_3, 1.0));
+    return (s_3 <= 0.0) ? 1.0 : ((q_3 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_3.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered_2_(
-    Angle u_7,
-    float w_2,
+float profile_filtered_quick(
+    Angle u_2,
+    float w_1,
     ProfileShape shape_4
 ) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_1 = w_2 < (0.1 * shape_4.edge_deviation);
-    if ((is_wide_1 | (w_2 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2(u_2.half_sin - (u_2.half_cos * 0.0), u_2.half_cos + (u_2.half_sin * 0.0));
+    float _e15 = profile_soft_quick(place.x, shape_4);
+    if (w_1 < (0.1 * shape_4.edge_deviation)) {
+        return _e15;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
-    Angle _e16 = angle_turned(u_7, _e15);
-    float _e17 = profile_point_2_(_e16, shape_4);
-    Angle _e22 = angle_turned(u_7, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_4);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w_1;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e41 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_4);
+    float _e49 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_4);
+    return (((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0;
 }
 
-float profile_filtered_3_(
-    Angle u_8,
-    float w_3,
+float profile_filtered_quick_2_(
+    Angle u_3,
+    float w_2,
     ProfileShape shape_5
 ) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_2 = w_3 < (0.1 * shape_5.edge_deviation);
-    if ((is_wide_2 | (w_3 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2(u_3.half_sin - (u_3.half_cos * 0.0), u_3.half_cos + (u_3.half_sin * 0.0));
+    float _e15 = profile_soft_quick_2_(place_1.x, shape_5);
+    if (w_2 < (0.1 * shape_5.edge_deviation)) {
+        return _e15;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_3);
-    Angle _e16 = angle_turned(u_8, _e15);
-    float _e17 = profile_point_3_(_e16, shape_5);
-    Angle _e22 = angle_turned(u_8, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_3_(_e22, shape_5);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r_1 = 0.19364917 * w_2;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e41 = profile_soft_quick_3_((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_5);
+    float _e49 = profile_soft_quick_2_((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_5);
+    return (((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0;
 }
 
-float profile(
-    Angle angle,
-    float shift,
+float profile_filtered_quick_3_(
+    Angle u_4,
+    float w_3,
     ProfileShape shape_6
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
-    return _e8;
+    metal::float2 place_2 = metal::float2((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset), (u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset));
+    float _e19 = profile_soft_quick_4_(place_2.x, shape_6);
+    if (w_3 < (0.1 * shape_6.edge_deviation)) {
+        return _e19;
+    }
+    float r_2 = 0.19364917 * w_3;
+    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
+    float _e45 = profile_soft_quick_4_((place_2.x * turn_2.y) - (place_2.y * turn_2.x), shape_6);
+    float _e53 = profile_soft_quick_4_((place_2.x * turn_2.y) + (place_2.y * turn_2.x), shape_6);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_2_(
-    Angle angle_1,
-    float shift_1,
+float profile_balanced(
+    Angle angle,
+    float shift,
     ProfileShape shape_7
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_7);
     return _e8;
 }
 
-float profile_3_(
-    Angle angle_2,
-    float shift_2,
+float profile_balanced_2_(
+    Angle angle_1,
+    float shift_1,
     ProfileShape shape_8
 ) {
-    Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_8);
+    return _e8;
+}
+
+float profile_balanced_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_9
+) {
+    Angle _e6 = angle_turned(angle_2, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_9);
     return _e8;
 }
 
@@ -452,7 +338,7 @@ metal::float4 shade(
     float cutoff_tone = metal::max(cutoff_line, 0.0);
     Composite _e143 = blend_alpha_2_(_e120, metal::float4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
     Angle _e144 = angle_of(angle_3);
-    float _e147 = profile(_e144, 0.0, lambert_shape);
+    float _e147 = profile_balanced(_e144, 0.0, lambert_shape);
     float lambert_off = tone_2 - _e147;
     float _e150 = footprint_of(lambert_off);
     float _e154 = step_filtered(lambert_off, -0.012, metal::length(metal::float2(_e150, 0.0)));
@@ -462,7 +348,7 @@ metal::float4 shade(
     float lambert_tone = metal::max(lambert_line, 0.0);
     metal::float4 lambert_2_ = metal::clamp(metal::float4(_e143.xyz + (lambert_tone * (metal::float3(0.8, 0.2, 0.17) - _e143.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     Angle _e180 = angle_of(angle_3);
-    float _e183 = profile_2_(_e180, 0.0, half_lambert_shape);
+    float _e183 = profile_balanced_2_(_e180, 0.0, half_lambert_shape);
     float half_lambert_off = tone_2 - _e183;
     float _e186 = footprint_of(half_lambert_off);
     float _e190 = step_filtered(half_lambert_off, -0.012, metal::length(metal::float2(_e186, 0.0)));
@@ -472,7 +358,7 @@ metal::float4 shade(
     float half_lambert_tone = metal::max(half_lambert_line, 0.0);
     metal::float4 half_lambert_2_ = metal::clamp(metal::float4(lambert_2_.xyz + (half_lambert_tone * (metal::float3(0.18, 0.55, 0.27) - lambert_2_.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     Angle _e216 = angle_of(angle_3);
-    float _e219 = profile_3_(_e216, 0.0, custom_shape);
+    float _e219 = profile_balanced_3_(_e216, 0.0, custom_shape);
     float custom_off = tone_2 - _e219;
     float _e222 = footprint_of(custom_off);
     float _e226 = step_filtered(custom_off, -0.012, metal::length(metal::float2(_e222, 0.0)));

@@ -55,48 +55,6 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
@@ -115,12 +73,20 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
+}
+
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus_2(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.333333333333333333 + y * (0.25 + y
+        * 0.2))));
+    return select(log2(1.0 - y), series, y < 0.0625);
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
@@ -142,17 +108,6 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
-    return Angle(turned.x, turned.y);
-}
-
-/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
-fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin - u.half_cos * 0.0;
     let c = u.half_cos + u.half_sin * 0.0;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
@@ -202,157 +157,92 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin - u.half_cos * 0.0;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, 1.0);
+    return select(select(min(exp2(log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q >= 1.0), 1.0, s
+        <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin - u.half_cos * 0.0;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power_2(q, shape.exponent);
+    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
+        >= 1.0), 1.0, s <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_3(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick_3(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power_3(q, shape.exponent);
+    return select(min(exp2(shape.exponent * log2_one_minus_2(q * q)), 1.0), 1.0, s <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(log_base), 1.0);
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick_4(s: f32, shape: ProfileShape) -> f32 {
+    let q = s * shape.scale;
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_2(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(exponent * log_base), 1.0);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_3(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
+    let point = profile_soft_quick_2(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_2(angle_turned(u, reach), shape);
-    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick_3(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_3(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick_4(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_3(angle_turned(u, reach), shape);
-    let after = profile_point_3(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick_4(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_4(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_3(warped, angle_footprint(warped), shape);
+fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 /// Separate vector
@@ -406,21 +296,21 @@ fn shade(surface: Surface) -> vec4f {
     let cutoff_line = cutoff_from - cutoff_to;
     let cutoff_tone = max(cutoff_line, 0.0);
     let cutoff = blend_alpha_2(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
-    let lambert = profile(angle_of(angle), 0.0, lambert_shape);
+    let lambert = profile_balanced(angle_of(angle), 0.0, lambert_shape);
     let lambert_off = tone - lambert;
     let lambert_from = step_filtered(lambert_off, -0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
     let lambert_to = step_filtered(lambert_off, 0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
     let lambert_line = lambert_from - lambert_to;
     let lambert_tone = max(lambert_line, 0.0);
     let lambert_2 = clamp(vec4f(cutoff.xyz + lambert_tone * (vec4f(0.8, 0.2, 0.17, 1.0).xyz - cutoff.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let half_lambert = profile_2(angle_of(angle), 0.0, half_lambert_shape);
+    let half_lambert = profile_balanced_2(angle_of(angle), 0.0, half_lambert_shape);
     let half_lambert_off = tone - half_lambert;
     let half_lambert_from = step_filtered(half_lambert_off, -0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
     let half_lambert_to = step_filtered(half_lambert_off, 0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
     let half_lambert_line = half_lambert_from - half_lambert_to;
     let half_lambert_tone = max(half_lambert_line, 0.0);
     let half_lambert_2 = clamp(vec4f(lambert_2.xyz + half_lambert_tone * (vec4f(0.18, 0.55, 0.27, 1.0).xyz - lambert_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let custom = profile_3(angle_of(angle), 0.0, custom_shape);
+    let custom = profile_balanced_3(angle_of(angle), 0.0, custom_shape);
     let custom_off = tone - custom;
     let custom_from = step_filtered(custom_off, -0.012, length(vec2f(footprint_of(custom_off), 0.0)));
     let custom_to = step_filtered(custom_off, 0.012, length(vec2f(footprint_of(custom_off), 0.0)));

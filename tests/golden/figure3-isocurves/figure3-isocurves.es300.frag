@@ -55,36 +55,6 @@ layout(std140) uniform LookBlock { Look u_look; };
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_2) {
-    float y_2 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
@@ -95,19 +65,24 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_3) {
-    float small = min(y_1, x_3);
-    float large = max(y_1, x_3);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+}
+
+float atan2_positive(float y_1, float x) {
+    float small = min(y_1, x);
+    float large = max(y_1, x);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
+    float t_1 = (small / large);
+    bool is_wide = (t_1 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
     float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_3) ? (HALF_PI - a) : a);
+    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
+    return ((y_1 > x) ? (HALF_PI - a) : a);
 }
 
 float angle_radians(Angle u) {
@@ -119,43 +94,34 @@ float angle_footprint(Angle u_1) {
     vec2 half_ = vec2(u_1.half_sin, u_1.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle angle_turned(Angle u_2, vec2 t) {
-    float s_1 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
-    float c_1 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_2.half_sin - 0.0);
+    vec2 upper = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_2.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_3, vec2 t_1) {
-    float s_2 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    float c_2 = (u_3.half_cos + (u_3.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+float bounded(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float footprint_of(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float step_filtered(float x_6, float edge, float w) {
-    float _e4 = bounded((x_6 - edge));
+float step_filtered(float x_3, float edge, float w) {
+    float _e4 = bounded((x_3 - edge));
     if ((w < 1e-30)) {
         return ((_e4 >= 0.0) ? 1.0 : 0.0);
     }
@@ -168,59 +134,54 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return clamp(_e21, 0.0, 1.0);
+float profile_power_quick(float q, float exponent) {
+    float y_2 = min((q * q), 1.0);
+    float _e5 = log2_one_minus(y_2);
+    float power = exp2(max((exponent * _e5), -126.0));
+    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || (shape.kind == PROFILE_AMBIENT))) {
+vec2 profile_place(Angle u_3, ProfileShape shape) {
+    return vec2(((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset)), ((u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset)));
+}
+
+float profile_soft_quick(float s, ProfileShape shape_1) {
+    float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
+    return ((s <= 0.0) ? 1.0 : _e5);
+}
+
+float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_2) {
+    float width = sqrt(((w_1 * w_1) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+}
+
+float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_3) {
+    if ((shape_3.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+    vec2 _e7 = profile_place(u_4, shape_3);
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if (((shape_3.kind == PROFILE_STEP) || is_narrow)) {
+        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_3);
+        return _e20;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e27 = profile_power(q_1, shape.exponent);
-    return _e27;
+    float _e22 = profile_soft_quick(_e7.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e22;
+    }
+    float r_1 = (0.19364917 * w_2);
+    vec2 turn = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_3);
+    float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_3);
+    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_filtered(Angle u_5, float w_1, ProfileShape shape_1) {
-    float _e3 = profile_point(u_5, shape_1);
-    bool is_wide_1 = (w_1 < (0.1 * shape_1.edge_deviation));
-    if (((is_wide_1 || (w_1 <= 0.0)) || (shape_1.kind == PROFILE_AMBIENT))) {
-        return _e3;
-    }
-    if (((shape_1.edge_deviation < 0.145) && (w_1 >= (3.4641016 * shape_1.edge_deviation)))) {
-        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
-    }
-    vec2 _e48 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e49 = angle_turned(u_5, _e48);
-    float _e50 = profile_point(_e49, shape_1);
-    Angle _e55 = angle_turned(u_5, vec2(-(_e48.x), _e48.y));
-    float _e56 = profile_point(_e55, shape_1);
-    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
@@ -229,7 +190,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e14 = u_look.key.direction;
     Angle profile_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
     ProfileShape _e23 = u_look.profile_tone_shape;
-    float _e24 = profile(profile_angle, 0.0, _e23);
+    float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = u_look.key;
     LitLayer _e33 = light_apply(_e27, vec4(0.86, 0.8, 0.7, 1.0), _e24);
     vec4 profile_blend = clamp(vec4((vec3(0.11, 0.13, 0.19) + (_e33.tone * _e33.color.xyz)), 1.0), vec4(0.0), vec4(1.0));

@@ -49,58 +49,20 @@ layout(binding = 0) uniform sampler2D u_curvature_map;
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_1 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_1, c);
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_3) {
-    float y_1 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -113,9 +75,9 @@ float angle_footprint(Angle u) {
 
 Angle angle_turned(Angle u_1, vec2 t) {
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
@@ -123,16 +85,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_1 : -(t_1));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 LitLayer light_apply(Light light, vec4 color, float tone) {
@@ -145,57 +99,35 @@ LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
+    vec2 place = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_3, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_3, shape_1);
-    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_3, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_3, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.3);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float diffuse_convexity = (0.5 + (0.5 * _e3));
     vec4 _e18 = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e21 = u_look.key;
@@ -206,7 +138,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e64 = u_look.key.direction;
     Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * diffuse_convexity) - 1.0) * 0.75);
-    float _e77 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    float _e77 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     Light _e80 = u_look.key;
     LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
     vec4 output_ = clamp(vec4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -217,7 +149,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
     surface.normal = normal;
     vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);

@@ -66,70 +66,17 @@ struct Varyings {
 constant float LOG2_E = 1.442695;
 constant ProfileShape diffuse_tone_shape = ProfileShape {0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_3
-) {
-    float y_1 = x_3 * x_3;
-    float s = x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
-    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -146,22 +93,10 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_1 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
 }
 
 Color curvature_color(
@@ -172,19 +107,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude = metal::min(metal::abs(a), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a * a;
-        return a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e32) / (1.0 + _e32);
-    return (a >= 0.0) ? t_2 : -(t_2);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 LitLayer light_apply(
@@ -205,65 +132,40 @@ LitLayer light_apply_2_(
     return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_3 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_4,
+float profile_filtered_quick(
+    Angle u_2,
     float w,
     ProfileShape shape_1
 ) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = w < (0.1 * shape_1.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_1);
+    if (w < (0.1 * shape_1.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_1);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_1);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_2
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -271,7 +173,7 @@ metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.3);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float diffuse_convexity = 0.5 + (0.5 * _e3);
     Color _e18 = curvature_color(diffuse_convexity, metal::float4(0.2275, 0.1569, 0.1882, 1.0), metal::float4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e21 = look.key;
@@ -281,7 +183,7 @@ metal::float4 shade(
     metal::float3 _e55 = look.key.direction;
     metal::float3 _e64 = look.key.direction;
     Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
-    float _e72 = profile(diffuse_angle, 0.0, diffuse_tone_shape);
+    float _e72 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
     Light _e75 = look.key;
     LitLayer _e76 = light_apply_2_(_e75, _e50, _e72);
     metal::float4 output = metal::clamp(metal::float4(fill_blend.xyz + (_e76.tone * _e76.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -334,7 +236,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
     surface.normal = normal;
     metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);

@@ -100,7 +100,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
 }
 
 static const float PI = 3.1415927;
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
@@ -135,97 +134,23 @@ float finite_or(float x_1, float otherwise)
     return (_e2 ? x_1 : otherwise);
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+float3 normalize_seen_balanced(float3 v)
+{
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable(float x_2)
+float2 sin_cos_quick(float x_2)
 {
-    float clamped_1 = clamp(x_2, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float y_1 = (x_2 * x_2);
+    float s_4 = (x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return float2(s_4, c);
 }
 
-float exp2_stable_2_(float x_3)
+float log2_one_minus(float y)
 {
-    float clamped_2 = max(x_3, -126.0);
-    float whole_1 = round(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_4)
-{
-    uint bits = asuint(x_4);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_quarter(float x_5)
-{
-    float h = (0.5 * x_5);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-float2 sin_cos_eighth(float x_6)
-{
-    float y_2 = (x_6 * x_6);
-    float s_1 = (x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return float2(s_1, c_1);
-}
-
-float2 sin_cos_tiny(float x_7)
-{
-    float y_3 = (x_7 * x_7);
-    float s_2 = (x_7 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return float2(s_2, c_2);
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise_1)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise_1);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_8)
-{
-    float small = min(y_1, x_8);
-    float large = max(y_1, x_8);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_8) ? (HALF_PI - a) : a);
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -233,8 +158,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_3, 0.5);
+    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    const float _e13 = finite_or(w_5, 0.5);
     return min(_e13, 0.5);
 }
 
@@ -243,8 +168,8 @@ float angle_footprint_2_(Angle u_1)
     float2 half_1 = float2(u_1.half_sin, u_1.half_cos);
     float2 dx_1 = ddx(half_1);
     float2 dy_1 = ddy(half_1);
-    float w_4 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
-    return min(w_4, 0.5);
+    float w_6 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
+    return min(w_6, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -256,10 +181,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_2, float2 t)
 {
-    float s_3 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
-    float c_3 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
-    float2 upper = ((c_3 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_3));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < c_3)) ? float2(0.0, 1.0) : upper);
+    float s_5 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
+    float c_1 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_5, c_1));
+    float2 turned = (((s_5 <= 0.0) & (s_5 < c_1)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
@@ -269,30 +194,14 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e33 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_1 >= 0.0) ? t_2 : -(t_2));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
 }
 
-float curvature_signed_2_(float kappa_1, float slope_1)
+float curvature_signed_balanced_2_(float kappa_1, float slope_1)
 {
-    float a_2 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1);
-    float magnitude_1 = min(abs(a_2), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_1 = (a_2 * a_2);
-        return (a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_2 >= 0.0) ? t_3 : -(t_3));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
 }
 
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
@@ -337,181 +246,145 @@ LitLayer light_apply_3_(Light light_2, float4 color_2, float tone_2)
     return litlayer_2;
 }
 
-Angle parametrization_specular(Light light_3, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_3, float3 normal, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal);
-    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_3.direction))), (0.5 * length((_e8 + light_3.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_3.direction))), (0.5 * length((d + light_3.direction))));
     return angle_4;
 }
 
-float profile_power(float q, float exponent)
+float profile_power_quick(float q, float exponent)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float y_2 = min((q * q), 1.0);
+    const float _e5 = log2_one_minus(y_2);
+    float power = exp2(max((exponent * _e5), -126.0));
+    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float2 profile_place(Angle u_3, ProfileShape shape)
 {
-    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) | (shape.kind == PROFILE_AMBIENT))) {
+    return float2(((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset)), ((u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset)));
+}
+
+float profile_soft_quick(float s, ProfileShape shape_1)
+{
+    const float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
+    return ((s <= 0.0) ? 1.0 : _e5);
+}
+
+float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
+{
+    float q_1 = (s_1 * shape_2.scale);
+    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
+    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+}
+
+float profile_ramp_quick(float s_2, float w, ProfileShape shape_3)
+{
+    float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+}
+
+float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4)
+{
+    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
+    float from_offset_1 = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((shape_4.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+}
+
+float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_5)
+{
+    if ((shape_5.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_4 <= 4e-7) ? 1.0 : 0.0);
+    const float2 _e7 = profile_place(u_4, shape_5);
+    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation)));
+    if (((shape_5.kind == PROFILE_STEP) | is_narrow)) {
+        const float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
+        return _e20;
     }
-    float q_2 = (s_4 * shape.scale);
-    const float _e27 = profile_power(q_2, shape.exponent);
-    return _e27;
+    const float _e22 = profile_soft_quick(_e7.x, shape_5);
+    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
+        return _e22;
+    }
+    float r = (0.19364917 * w_2);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_5);
+    const float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_5);
+    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_filtered_quick_2_(Angle u_5, float w_3, ProfileShape shape_6)
 {
-    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_5 <= 0.0) | false)) {
-        return 1.0;
+    float2 place = float2(((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset)), ((u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset)));
+    bool is_narrow_1 = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation)));
+    if (((shape_6.kind == PROFILE_STEP) | is_narrow_1)) {
+        const float _e30 = profile_ramp_quick(place.x, w_3, shape_6);
+        return _e30;
     }
-    if ((shape_1.kind == PROFILE_STEP)) {
-        return ((s_5 <= 4e-7) ? 1.0 : 0.0);
+    const float _e32 = profile_soft_quick(place.x, shape_6);
+    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
+        return _e32;
     }
-    float q_3 = (s_5 * shape_1.scale);
-    const float _e25 = profile_power(q_3, shape_1.exponent);
-    return _e25;
+    float r_1 = (0.19364917 * w_3);
+    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    const float _e58 = profile_soft_quick(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_6);
+    const float _e66 = profile_soft_quick(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_6);
+    return ((((5.0 * _e58) + (8.0 * _e32)) + (5.0 * _e66)) / 18.0);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_filtered_quick_3_(Angle u_6, float w_4, ProfileShape shape_7)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+    float2 place_1 = float2(((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset)), ((u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset)));
+    bool is_narrow_2 = ((w_4 > 0.0) & (w_4 >= (3.4641016 * shape_7.edge_deviation)));
+    if ((false | is_narrow_2)) {
+        const float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_7);
+        return _e28;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
+    const float _e30 = profile_soft_quick_2_(place_1.x, shape_7);
+    if ((w_4 < (0.1 * shape_7.edge_deviation))) {
+        return _e30;
     }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r_2 = (0.19364917 * w_4);
+    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    const float _e56 = profile_soft_quick_2_(((place_1.x * turn_2.y) - (place_1.y * turn_2.x)), shape_7);
+    const float _e64 = profile_soft_quick_2_(((place_1.x * turn_2.y) + (place_1.y * turn_2.x)), shape_7);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_8)
 {
-    float s_6 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    if (((s_6 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_4 = (s_6 * shape_2.scale);
-    const float _e17 = profile_power_2_(q_4, shape_2.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_6, float w, ProfileShape shape_3)
-{
-    const float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 | (w <= 0.0)) | (shape_3.kind == PROFILE_AMBIENT))) {
-        return _e3;
-    }
-    if (((shape_3.edge_deviation < 0.145) & (w >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        const float _e36 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
-    }
-    const float2 _e48 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e49 = angle_turned(u_6, _e48);
-    const float _e50 = profile_point(_e49, shape_3);
-    const Angle _e55 = angle_turned(u_6, float2(-(_e48.x), _e48.y));
-    const float _e56 = profile_point(_e55, shape_3);
-    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4)
-{
-    const float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if (((shape_4.edge_deviation < 0.145) & (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        const float _e34 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e34)) / width_1)), 0.0, 1.0);
-    }
-    const float2 _e46 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e47 = angle_turned(u_7, _e46);
-    const float _e48 = profile_point_2_(_e47, shape_4);
-    const Angle _e53 = angle_turned(u_7, float2(-(_e46.x), _e46.y));
-    const float _e54 = profile_point_2_(_e53, shape_4);
-    return ((((5.0 * _e48) + (8.0 * _e3)) + (5.0 * _e54)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5)
-{
-    const float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_3 | (w_2 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_2 >= (3.4641016 * shape_5.edge_deviation)))) {
-        float width_2 = sqrt(((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-        const float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
-        return clamp((0.5 + (((shape_5.offset + shape_5.edge_mean) - (2.0 * _e32)) / width_2)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w_2));
-    const Angle _e45 = angle_turned(u_8, _e44);
-    const float _e46 = profile_point_3_(_e45, shape_5);
-    const Angle _e51 = angle_turned(u_8, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point_3_(_e51, shape_5);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6)
-{
-    const float2 _e5 = sin_cos_eighth((0.5 * shift));
+    const float2 _e5 = sin_cos_quick((0.5 * shift));
     const Angle _e6 = angle_turned(angle, _e5);
     const float _e7 = angle_footprint_2_(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_6);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_8);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9)
 {
-    const float2 _e8 = sin_cos_quarter((0.5 * clamp(shift_1, -3.1415927, PI)));
+    const float2 _e8 = sin_cos_quick((0.5 * clamp(shift_1, -3.1415927, PI)));
     const Angle _e9 = angle_turned(angle_1, _e8);
     const float _e10 = angle_footprint(_e9);
-    const float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
+    const float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_9);
     return _e11;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10)
 {
-    const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
+    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
     const Angle _e6 = angle_turned(angle_2, _e5);
     const float _e7 = angle_footprint_2_(_e6);
-    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
 float4 shade(Surface surface_1)
 {
-    const float _e3 = curvature_signed(surface_1.kappa, 0.25);
+    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
     float back_light_convexity = (0.5 + (0.5 * _e3));
     const float4 _e18 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = look.key;
@@ -523,7 +396,7 @@ float4 shade(Surface surface_1)
     Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
     ProfileShape _e78 = look.diffuse_tone_shape;
-    const float _e79 = profile(diffuse_angle, diffuse_warp, _e78);
+    const float _e79 = profile_balanced(diffuse_angle, diffuse_warp, _e78);
     Light _e82 = look.key;
     const LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
     float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e83.tone * _e83.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -537,20 +410,20 @@ float4 shade(Surface surface_1)
     float _e134 = look.back_light_warp_amount;
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e134, -3.1415927, 3.1415927));
     ProfileShape _e141 = look.back_light_tone_shape;
-    const float _e142 = profile_2_(back_light_angle, back_light_warp, _e141);
+    const float _e142 = profile_balanced_2_(back_light_angle, back_light_warp, _e141);
     Light _e145 = look.back;
     const LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
     const float4 _e157 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0, _e146.color.w, true);
-    const float _e160 = curvature_signed_2_(surface_1.kappa, 0.2);
+    const float _e160 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
     float highlight_convexity = (0.5 + (0.5 * _e160));
     float4 _e167 = look.highlight_color_concave;
     float4 _e170 = look.highlight_color_convex;
     float4 _e173 = look.highlight_color_concave;
     float4 highlight_color = (_e167 + (highlight_convexity * (_e170 - _e173)));
     Light _e179 = look.key;
-    const Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
+    const Angle _e182 = parametrization_specular_balanced(_e179, surface_1.normal, surface_1.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float _e190 = profile_3_(_e182, highlight_warp, highlight_tone_shape);
+    const float _e190 = profile_balanced_3_(_e182, highlight_warp, highlight_tone_shape);
     Light _e193 = look.key;
     const LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
     const float4 _e205 = blend_finish(_e157, (_e157.xyz + (_e194.tone * _e194.color.xyz)), 1.0, _e194.color.w, true);
@@ -584,7 +457,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

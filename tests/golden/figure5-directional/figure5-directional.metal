@@ -76,7 +76,6 @@ struct Varyings {
     metal::float3 normal;
 };
 constant float PI = 3.1415927;
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
@@ -96,109 +95,26 @@ float finite_or(
     return _e2 ? x_1 : otherwise;
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
+) {
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float exp2_stable(
+metal::float2 sin_cos_quick(
     float x_2
 ) {
-    float clamped_1 = metal::clamp(x_2, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float y_1 = x_2 * x_2;
+    float s_4 = x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    return metal::float2(s_4, c);
 }
 
-float exp2_stable_2_(
-    float x_3
-) {
-    float clamped_2 = metal::max(x_3, -126.0);
-    float whole_1 = metal::rint(clamped_2);
-    float f_1 = clamped_2 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_4
-) {
-    uint bits = as_type<uint>(x_4);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_quarter(
-    float x_5
-) {
-    float h = 0.5 * x_5;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
-}
-
-metal::float2 sin_cos_eighth(
-    float x_6
-) {
-    float y_2 = x_6 * x_6;
-    float s_1 = x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
-    float c_1 = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float2 sin_cos_tiny(
-    float x_7
-) {
-    float y_3 = x_7 * x_7;
-    float s_2 = x_7 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
-    float c_2 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
-    return metal::float2(s_2, c_2);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise_1
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise_1;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y_1,
-    float x_8
-) {
-    float small = metal::min(y_1, x_8);
-    float large = metal::max(y_1, x_8);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_8) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -207,8 +123,8 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_3, 0.5);
+    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    float _e13 = finite_or(w_5, 0.5);
     return metal::min(_e13, 0.5);
 }
 
@@ -218,18 +134,18 @@ float angle_footprint_2_(
     metal::float2 half_1 = metal::float2(u_1.half_sin, u_1.half_cos);
     metal::float2 dx_1 = metal::dfdx(half_1);
     metal::float2 dy_1 = metal::dfdy(half_1);
-    float w_4 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
-    return metal::min(w_4, 0.5);
+    float w_6 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
+    return metal::min(w_6, 0.5);
 }
 
 Angle angle_turned(
     Angle u_2,
     metal::float2 t
 ) {
-    float s_3 = (u_2.half_sin * t.y) - (u_2.half_cos * t.x);
-    float c_3 = (u_2.half_cos * t.y) + (u_2.half_sin * t.x);
-    metal::float2 upper = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper;
+    float s_5 = (u_2.half_sin * t.y) - (u_2.half_cos * t.x);
+    float c_1 = (u_2.half_cos * t.y) + (u_2.half_sin * t.x);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, c_1);
+    metal::float2 turned = ((s_5 <= 0.0) & (s_5 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -241,34 +157,18 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25;
-    float magnitude = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e33 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_1 >= 0.0) ? t_2 : -(t_2);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
 }
 
-float curvature_signed_2_(
+float curvature_signed_balanced_2_(
     float kappa_1,
     float slope_1
 ) {
-    float a_2 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1;
-    float magnitude_1 = metal::min(metal::abs(a_2), 50.0);
-    if (magnitude_1 < 0.0625) {
-        float a2_1 = a_2 * a_2;
-        return a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_2 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
 }
 
 Composite blend_finish(
@@ -318,203 +218,173 @@ LitLayer light_apply_3_(
     return LitLayer {metal::float4((color_2.xyz * light_2.color) * split_1.y, 1.0), tone_2 * split_1.x};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_3,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light_3.direction), 0.5 * metal::length(_e8 + light_3.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light_3.direction), 0.5 * metal::length(d + light_3.direction)};
 }
 
-float profile_power(
+float profile_power_quick(
     float q,
     float exponent
 ) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float y_2 = metal::min(q * q, 1.0);
+    float _e5 = log2_one_minus(y_2);
+    float power = metal::exp2(metal::max(exponent * _e5, -126.0));
+    return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
-float profile_point(
+metal::float2 profile_place(
     Angle u_3,
     ProfileShape shape
 ) {
-    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_4 <= 0.0) | (shape.kind == PROFILE_AMBIENT)) {
-        return 1.0;
-    }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_4 <= 0.0000004) ? 1.0 : 0.0;
-    }
-    float q_2 = s_4 * shape.scale;
-    float _e27 = profile_power(q_2, shape.exponent);
-    return _e27;
+    return metal::float2((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset), (u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset));
 }
 
-float profile_point_2_(
-    Angle u_4,
+float profile_soft_quick(
+    float s,
     ProfileShape shape_1
 ) {
-    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_5 <= 0.0) | false) {
-        return 1.0;
-    }
-    if (shape_1.kind == PROFILE_STEP) {
-        return (s_5 <= 0.0000004) ? 1.0 : 0.0;
-    }
-    float q_3 = s_5 * shape_1.scale;
-    float _e25 = profile_power(q_3, shape_1.exponent);
-    return _e25;
+    float _e5 = profile_power_quick(s * shape_1.scale, shape_1.exponent);
+    return (s <= 0.0) ? 1.0 : _e5;
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_3_(
-    Angle u_5,
+float profile_soft_quick_2_(
+    float s_1,
     ProfileShape shape_2
 ) {
-    float s_6 = (u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset);
-    if ((s_6 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_4 = s_6 * shape_2.scale;
-    float _e17 = profile_power_2_(q_4, shape_2.exponent);
-    return _e17;
+    float q_1 = s_1 * shape_2.scale;
+    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
+    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_6,
+float profile_ramp_quick(
+    float s_2,
     float w,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = w < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | (shape_3.kind == PROFILE_AMBIENT)) {
-        return _e3;
-    }
-    if ((shape_3.edge_deviation < 0.145) & (w >= (3.4641016 * shape_3.edge_deviation))) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-        float _e36 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width), 0.0, 1.0);
-    }
-    metal::float2 _e48 = sin_cos_tiny(0.19364917 * w);
-    Angle _e49 = angle_turned(u_6, _e48);
-    float _e50 = profile_point(_e49, shape_3);
-    Angle _e55 = angle_turned(u_6, metal::float2(-(_e48.x), _e48.y));
-    float _e56 = profile_point(_e55, shape_3);
-    return (((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_3.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered_2_(
-    Angle u_7,
+float profile_ramp_quick_2_(
+    float s_3,
     float w_1,
     ProfileShape shape_4
 ) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = w_1 < (0.1 * shape_4.edge_deviation);
-    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
-        return _e3;
-    }
-    if ((shape_4.edge_deviation < 0.145) & (w_1 >= (3.4641016 * shape_4.edge_deviation))) {
-        float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
-        float _e34 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return metal::clamp(0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e34)) / width_1), 0.0, 1.0);
-    }
-    metal::float2 _e46 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e47 = angle_turned(u_7, _e46);
-    float _e48 = profile_point_2_(_e47, shape_4);
-    Angle _e53 = angle_turned(u_7, metal::float2(-(_e46.x), _e46.y));
-    float _e54 = profile_point_2_(_e53, shape_4);
-    return (((5.0 * _e48) + (8.0 * _e3)) + (5.0 * _e54)) / 18.0;
+    float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
+    float from_offset_1 = s_3 * (2.0 + ((s_3 * s_3) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((shape_4.edge_mean - from_offset_1) / width_1), 0.0, 1.0);
+    return (w_1 <= 0.0) ? ((s_3 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
-float profile_filtered_3_(
-    Angle u_8,
+float profile_filtered_quick(
+    Angle u_4,
     float w_2,
     ProfileShape shape_5
 ) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_3 = w_2 < (0.1 * shape_5.edge_deviation);
-    if ((is_wide_3 | (w_2 <= 0.0)) | false) {
-        return _e3;
+    if (shape_5.kind == PROFILE_AMBIENT) {
+        return 1.0;
     }
-    if (true & (w_2 >= (3.4641016 * shape_5.edge_deviation))) {
-        float width_2 = metal::sqrt((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation));
-        float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
-        return metal::clamp(0.5 + (((shape_5.offset + shape_5.edge_mean) - (2.0 * _e32)) / width_2), 0.0, 1.0);
+    metal::float2 _e7 = profile_place(u_4, shape_5);
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation));
+    if ((shape_5.kind == PROFILE_STEP) | is_narrow) {
+        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
+        return _e20;
     }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_2);
-    Angle _e45 = angle_turned(u_8, _e44);
-    float _e46 = profile_point_3_(_e45, shape_5);
-    Angle _e51 = angle_turned(u_8, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_3_(_e51, shape_5);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float _e22 = profile_soft_quick(_e7.x, shape_5);
+    if (w_2 < (0.1 * shape_5.edge_deviation)) {
+        return _e22;
+    }
+    float r = 0.19364917 * w_2;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_5);
+    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_5);
+    return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
 }
 
-float profile(
-    Angle angle,
-    float shift,
+float profile_filtered_quick_2_(
+    Angle u_5,
+    float w_3,
     ProfileShape shape_6
 ) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    metal::float2 place = metal::float2((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset), (u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset));
+    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation));
+    if ((shape_6.kind == PROFILE_STEP) | is_narrow_1) {
+        float _e30 = profile_ramp_quick(place.x, w_3, shape_6);
+        return _e30;
+    }
+    float _e32 = profile_soft_quick(place.x, shape_6);
+    if (w_3 < (0.1 * shape_6.edge_deviation)) {
+        return _e32;
+    }
+    float r_1 = 0.19364917 * w_3;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e58 = profile_soft_quick((place.x * turn_1.y) - (place.y * turn_1.x), shape_6);
+    float _e66 = profile_soft_quick((place.x * turn_1.y) + (place.y * turn_1.x), shape_6);
+    return (((5.0 * _e58) + (8.0 * _e32)) + (5.0 * _e66)) / 18.0;
+}
+
+float profile_filtered_quick_3_(
+    Angle u_6,
+    float w_4,
+    ProfileShape shape_7
+) {
+    metal::float2 place_1 = metal::float2((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset), (u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset));
+    bool is_narrow_2 = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_7.edge_deviation));
+    if (false | is_narrow_2) {
+        float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_7);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick_2_(place_1.x, shape_7);
+    if (w_4 < (0.1 * shape_7.edge_deviation)) {
+        return _e30;
+    }
+    float r_2 = 0.19364917 * w_4;
+    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
+    float _e56 = profile_soft_quick_2_((place_1.x * turn_2.y) - (place_1.y * turn_2.x), shape_7);
+    float _e64 = profile_soft_quick_2_((place_1.x * turn_2.y) + (place_1.y * turn_2.x), shape_7);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+}
+
+float profile_balanced(
+    Angle angle,
+    float shift,
+    ProfileShape shape_8
+) {
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint_2_(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_8);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_7
+    ProfileShape shape_9
 ) {
-    metal::float2 _e8 = sin_cos_quarter(0.5 * metal::clamp(shift_1, -3.1415927, PI));
+    metal::float2 _e8 = sin_cos_quick(0.5 * metal::clamp(shift_1, -3.1415927, PI));
     Angle _e9 = angle_turned(angle_1, _e8);
     float _e10 = angle_footprint(_e9);
-    float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
+    float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_9);
     return _e11;
 }
 
-float profile_3_(
+float profile_balanced_3_(
     Angle angle_2,
     float shift_2,
-    ProfileShape shape_8
+    ProfileShape shape_10
 ) {
-    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_2);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
     float _e7 = angle_footprint_2_(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
@@ -522,7 +392,7 @@ metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.25);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
     float back_light_convexity = 0.5 + (0.5 * _e3);
     Color _e18 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = look.key;
@@ -534,7 +404,7 @@ metal::float4 shade(
     Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
     float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
     ProfileShape _e78 = look.diffuse_tone_shape;
-    float _e79 = profile(diffuse_angle, diffuse_warp, _e78);
+    float _e79 = profile_balanced(diffuse_angle, diffuse_warp, _e78);
     Light _e82 = look.key;
     LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
     metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e83.tone * _e83.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -548,20 +418,20 @@ metal::float4 shade(
     float _e134 = look.back_light_warp_amount;
     float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e134, -3.1415927, 3.1415927);
     ProfileShape _e141 = look.back_light_tone_shape;
-    float _e142 = profile_2_(back_light_angle, back_light_warp, _e141);
+    float _e142 = profile_balanced_2_(back_light_angle, back_light_warp, _e141);
     Light _e145 = look.back;
     LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
     Composite _e157 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e146.tone * _e146.color.xyz), 1.0, _e146.color.w, true);
-    float _e160 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float _e160 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
     float highlight_convexity = 0.5 + (0.5 * _e160);
     metal::float4 _e167 = look.highlight_color_concave;
     metal::float4 _e170 = look.highlight_color_convex;
     metal::float4 _e173 = look.highlight_color_concave;
     metal::float4 highlight_color = _e167 + (highlight_convexity * (_e170 - _e173));
     Light _e179 = look.key;
-    Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
+    Angle _e182 = parametrization_specular_balanced(_e179, surface_1.normal, surface_1.view);
     float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float _e190 = profile_3_(_e182, highlight_warp, highlight_tone_shape);
+    float _e190 = profile_balanced_3_(_e182, highlight_warp, highlight_tone_shape);
     Light _e193 = look.key;
     LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
     Composite _e205 = blend_finish(_e157, _e157.xyz + (_e194.tone * _e194.color.xyz), 1.0, _e194.color.w, true);
@@ -618,7 +488,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

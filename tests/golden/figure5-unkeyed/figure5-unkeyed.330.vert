@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
 const ProfileShape back_light_tone_shape = ProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u);

@@ -61,112 +61,30 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_3(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+fn sin_cos_quick(x: f32) -> vec2f {
     let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425
+        + y * (-0.0001982274 + y * 2.6347564e-6))));
+    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
 }
 
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -197,34 +115,16 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * 0.25;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// Light on a layer
@@ -252,9 +152,8 @@ struct LitLayer {
     tone: f32,
 }
 
-fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let mirrored = 2.0 * dot(normal, view) * normal - view;
-    let d = normalize_moderate(mirrored, normal);
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let d = 2.0 * dot(normal, view) * normal - view;
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -277,143 +176,66 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
-    let q = s * shape.scale;
-    return profile_power_2(q, shape.exponent);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
+    let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_2(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_3(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
+    if false | is_narrow {
+        return profile_ramp_quick(place.x, w, shape);
+    }
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
-            u.half_cos)) / width, 0.0, 1.0);
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
-        return point;
-    }
-    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
-            u.half_cos)) / width, 0.0, 1.0);
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_2(angle_turned(u, reach), shape);
-    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered_3(warped, angle_footprint(warped), shape);
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 const diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
@@ -422,27 +244,27 @@ const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.02
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let back_light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.25);
+    let back_light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.25);
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0), vec4f(0.0706, 0.0784, 0.1098, 1.0));
     let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0), vec4f(0.2471, 0.4, 0.251, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
-    let diffuse_tone = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    let diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply_2(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let back_light_color = curvature_color(back_light_convexity, vec4f(0.7882, 0.8471, 1.0, 1.0), vec4f(0.4784, 0.5608, 0.8157, 1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.1;
-    let back_light_tone = profile_2(back_light_angle, back_light_warp, back_light_tone_shape);
+    let back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, back_light_tone_shape);
     let back_light_lit = light_apply_2(look.back, back_light_color, back_light_tone);
     let back_light_blend = clamp(vec4f(diffuse_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let highlight_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.2);
+    let highlight_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.2);
     let highlight_color = curvature_color(highlight_convexity, vec4f(1.0), vec4f(0.8745, 0.9098, 0.7529, 1.0));
-    let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
+    let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
-    let highlight_tone = profile_3(highlight_angle, highlight_warp, highlight_tone_shape);
+    let highlight_tone = profile_balanced_2(highlight_angle, highlight_warp, highlight_tone_shape);
     let highlight_lit = light_apply_2(look.key, highlight_color, highlight_tone);
     let highlight_blend = clamp(vec4f(back_light_blend.xyz + highlight_lit.tone * highlight_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = highlight_blend;
@@ -472,7 +294,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const ProfileShape key_tone_shape = ProfileShape(0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u);
 const ProfileShape bounce_tone_shape = ProfileShape(0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u);
 const ProfileShape light_tone_shape = ProfileShape(0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u);

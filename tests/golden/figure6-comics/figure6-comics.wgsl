@@ -65,69 +65,21 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+fn sin_cos_quick(x: f32) -> vec2f {
     let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425
+        + y * (-0.0001982274 + y * 2.6347564e-6))));
+    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -158,34 +110,16 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * 0.25;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -218,9 +152,8 @@ struct LitLayer {
     tone: f32,
 }
 
-fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let mirrored = 2.0 * dot(normal, view) * normal - view;
-    let d = normalize_moderate(mirrored, normal);
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let d = 2.0 * dot(normal, view) * normal - view;
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -243,47 +176,19 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    if false | (w <= 0.0) | false {
-        return point;
-    }
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     let width = sqrt(w * w);
-    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
-        1.0);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint(warped), shape);
 }
 
 const key_tone_shape = ProfileShape(0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u);
@@ -294,39 +199,39 @@ const highlight_tone_shape = ProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.2
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let key_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.35);
+    let key_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.35);
     let shadow_color = curvature_color(key_convexity, vec4f(0.7059, 0.3412, 0.2902, 1.0), vec4f(0.2941, 0.1098, 0.2, 1.0));
     let shadow_lit = light_apply(look.key, shadow_color, 1.0);
     let shadow_blend = blend_alpha(vec4f(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
     let key_color = curvature_color(key_convexity, vec4f(0.9529, 0.6902, 0.4392, 1.0), vec4f(0.7686, 0.3451, 0.2902, 1.0));
     let light_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let key_warp = (2.0 * key_convexity - 1.0) * 0.45;
-    let key_tone = profile(light_angle, key_warp, key_tone_shape);
+    let key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
     let key_lit = light_apply_2(look.key, key_color, key_tone);
     let key_blend = clamp(vec4f(shadow_blend.xyz + key_lit.tone * (key_lit.color.xyz - shadow_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.3);
+    let light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
     let bounce_color = curvature_color(light_convexity, vec4f(0.8157, 0.4863, 0.3686, 1.0), vec4f(0.549, 0.2275, 0.298, 1.0));
     let bounce_angle = Angle(0.5 * length(surface.normal - look.fill.direction), 0.5 * length(surface.normal + look.fill.direction));
     let bounce_warp = (2.0 * light_convexity - 1.0) * 0.35;
-    let bounce_tone = profile(bounce_angle, bounce_warp, bounce_tone_shape);
+    let bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply_2(look.fill, bounce_color, bounce_tone);
     let bounce_blend = clamp(vec4f(key_blend.xyz + bounce_lit.tone * (bounce_lit.color.xyz - key_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.851, 0.6275, 1.0), vec4f(0.9412, 0.6431, 0.4078, 1.0));
     let light_warp = (2.0 * light_convexity - 1.0) * 0.3;
-    let light_tone = profile(light_angle, light_warp, light_tone_shape);
+    let light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
     let light_lit = light_apply_2(look.key, light_color, light_tone);
     let light_blend = clamp(vec4f(bounce_blend.xyz + light_lit.tone * (light_lit.color.xyz - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let highlight_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.25);
+    let highlight_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.25);
     let rim_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9569, 0.8627, 1.0), vec4f(0.949, 0.6588, 0.4196, 1.0));
     let rim_angle = Angle(0.5 * length(surface.normal - look.rim.direction), 0.5 * length(surface.normal + look.rim.direction));
     let rim_warp = (2.0 * highlight_convexity - 1.0) * 0.2;
-    let rim_tone = profile(rim_angle, rim_warp, rim_tone_shape);
+    let rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
     let rim_lit = light_apply_2(look.rim, rim_color, rim_tone);
     let rim_blend = clamp(vec4f(light_blend.xyz + rim_lit.tone * (rim_lit.color.xyz - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let highlight_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9804, 0.9412, 1.0), vec4f(1.0, 0.8863, 0.7216, 1.0));
-    let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
+    let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.1;
-    let highlight_tone = profile_2(highlight_angle, highlight_warp, highlight_tone_shape);
+    let highlight_tone = profile_balanced(highlight_angle, highlight_warp, highlight_tone_shape);
     let highlight_lit = light_apply_2(look.key, highlight_color, highlight_tone);
     let highlight_blend = clamp(vec4f(rim_blend.xyz + highlight_lit.tone * (highlight_lit.color.xyz - rim_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = highlight_blend;
@@ -356,7 +261,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

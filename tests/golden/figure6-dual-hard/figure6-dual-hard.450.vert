@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u);
 const ProfileShape cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u);

@@ -66,113 +66,31 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant ProfileShape warm_side_tone_shape = ProfileShape {0.9971888, 0.07492971, 1.3940078, 1.4345639, 0.15, 0.90231395, 0.36981526, 0u};
 constant ProfileShape cool_side_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1, 0.83293223, 0.33645248, 0u};
 constant ProfileShape sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
+) {
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float exp2_stable(
+metal::float2 sin_cos_quick(
     float x
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float y_1 = x * x;
+    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    return metal::float2(s_2, c);
 }
 
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_3_(
-    float x_2
-) {
-    float clamped_1 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_1);
-    float f_2 = clamped_1 - whole_2;
-    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
-    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_eighth(
-    float x_4
-) {
-    float y_2 = x_4 * x_4;
-    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
-    return metal::float2(s, c);
-}
-
-metal::float2 sin_cos_tiny(
-    float x_5
-) {
-    float y_3 = x_5 * x_5;
-    float s_1 = x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
-    float c_1 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y_1,
-    float x_6
-) {
-    float small = metal::min(y_1, x_6);
-    float large = metal::max(y_1, x_6);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_6) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -181,18 +99,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
+    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -204,34 +122,18 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25;
-    float magnitude = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e33 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_1 >= 0.0) ? t_2 : -(t_2);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
 }
 
-float curvature_signed_2_(
+float curvature_signed_balanced_2_(
     float kappa_1,
     float slope_1
 ) {
-    float a_2 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1;
-    float magnitude_1 = metal::min(metal::abs(a_2), 50.0);
-    if (magnitude_1 < 0.0625) {
-        float a2_1 = a_2 * a_2;
-        return a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_2 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
 }
 
 LitLayer light_apply(
@@ -252,144 +154,95 @@ LitLayer light_apply_2_(
     return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_2,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light_2.direction), 0.5 * metal::length(_e8 + light_2.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_2,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_3 * shape.scale;
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_3,
+float profile_ramp_quick(
+    float s_1,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_4 = (u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_4 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered(
-    Angle u_4,
-    float w,
+float profile_filtered_quick(
+    Angle u_2,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_4, shape_2);
-    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if (w_1 < (0.1 * shape_2.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w_1;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_filtered_2_(
-    Angle u_5,
-    float w_1,
+float profile_filtered_quick_2_(
+    Angle u_3,
+    float w_2,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
     }
-    if (true & (w_1 >= (3.4641016 * shape_3.edge_deviation))) {
-        float width = metal::sqrt((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float r_1 = 0.19364917 * w_2;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
+    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_4
 ) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
     ProfileShape shape_5
 ) {
-    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_1);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -397,20 +250,20 @@ metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.25);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
     float fill_convexity = 0.5 + (0.5 * _e3);
     Color _e18 = curvature_color(fill_convexity, metal::float4(0.1137, 0.0941, 0.1333, 1.0), metal::float4(0.0392, 0.0314, 0.0549, 1.0));
     Light _e21 = look.warm;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
     metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.051, 0.0431, 0.0706) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e42 = curvature_signed_2_(surface_1.kappa, 0.22);
+    float _e42 = curvature_signed_balanced_2_(surface_1.kappa, 0.22);
     float cool_side_convexity = 0.5 + (0.5 * _e42);
     Color _e57 = curvature_color(cool_side_convexity, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
     metal::float3 _e62 = look.warm.direction;
     metal::float3 _e71 = look.warm.direction;
     Angle warm_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e62), 0.5 * metal::length(surface_1.normal + _e71)};
     float warm_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.3;
-    float _e84 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    float _e84 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     Light _e87 = look.warm;
     LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
     metal::float4 warm_side_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e88.tone * _e88.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -419,17 +272,17 @@ metal::float4 shade(
     metal::float3 _e126 = look.cool.direction;
     Angle cool_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e117), 0.5 * metal::length(surface_1.normal + _e126)};
     float cool_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.25;
-    float _e139 = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    float _e139 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
     Light _e142 = look.cool;
     LitLayer _e143 = light_apply_2_(_e142, _e112, _e139);
     metal::float4 cool_side_blend = metal::clamp(metal::float4(warm_side_blend.xyz + (_e143.tone * _e143.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e159 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float _e159 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
     float sheen_convexity = 0.5 + (0.5 * _e159);
     Color _e174 = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
     Light _e177 = look.warm;
-    Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
+    Angle _e180 = parametrization_specular_balanced(_e177, surface_1.normal, surface_1.view);
     float sheen_warp = ((2.0 * sheen_convexity) - 1.0) * 0.1;
-    float _e188 = profile_2_(_e180, sheen_warp, sheen_tone_shape);
+    float _e188 = profile_balanced_2_(_e180, sheen_warp, sheen_tone_shape);
     Light _e191 = look.warm;
     LitLayer _e192 = light_apply_2_(_e191, _e174, _e188);
     metal::float4 output = metal::clamp(metal::float4(cool_side_blend.xyz + (_e192.tone * _e192.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -486,7 +339,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

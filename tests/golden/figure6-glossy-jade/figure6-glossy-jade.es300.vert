@@ -38,7 +38,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u);
 const ProfileShape wet_sheen_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u);

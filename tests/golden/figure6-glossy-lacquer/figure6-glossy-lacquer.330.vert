@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
 const ProfileShape soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);

@@ -33,7 +33,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const ProfileShape shadow_tone_shape = ProfileShape(0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u);
 const ProfileShape contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u);
 

@@ -66,64 +66,22 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant ProfileShape shadow_tone_shape = ProfileShape {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u};
 constant ProfileShape contour_tone_shape = ProfileShape {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
+) {
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float exp2_stable(
+metal::float2 sin_cos_quick(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-metal::float2 sin_cos_eighth(
-    float x_1
-) {
-    float y_1 = x_1 * x_1;
-    float s = x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 0.0000027557319))))))));
-    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-0.000024801588 + (y_1 * 0.0000002755732)))))))));
-    return metal::float2(s, c);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y,
-    float x_2
-) {
-    float small = metal::min(y, x_2);
-    float large = metal::max(y, x_2);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y > x_2) ? (HALF_PI - a) : a;
+    float y = x * x;
+    float s_1 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    return metal::float2(s_1, c);
 }
 
 float angle_footprint(
@@ -140,10 +98,10 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -155,34 +113,18 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_1 >= 0.0) ? t_2 : -(t_2);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
-float curvature_signed_2_(
+float curvature_signed_balanced_2_(
     float kappa_1,
     float slope_1
 ) {
-    float a_2 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.5;
-    float magnitude_1 = metal::min(metal::abs(a_2), 50.0);
-    if (magnitude_1 < 0.0625) {
-        float a2_1 = a_2 * a_2;
-        return a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254))))));
-    }
-    float _e33 = exp2_stable(-2.88539 * magnitude_1);
-    float t_3 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_2 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.5, -20.0, 20.0))));
 }
 
 Composite blend_multiply(
@@ -222,48 +164,36 @@ LitLayer light_apply_3_(
     return LitLayer {metal::float4(light_2.color * split_2.y, 1.0), tone_3 * split_2.x};
 }
 
-Angle parametrization_screen_aligned(
+Angle parametrization_screen_aligned_balanced(
     Light light_3,
     metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 n = camera_from_world * normal;
-    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
-    return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
+    metal::float3 d = camera_from_world * normal;
+    return Angle {0.5 * metal::length(d - light_3.own_direction), 0.5 * metal::length(d + light_3.own_direction)};
 }
 
-float profile_point(
-    Angle u_2,
+float profile_ramp_quick(
+    float s,
+    float w,
     ProfileShape shape
 ) {
-    float s_2 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
-    return ((s_2 <= 0.0) | false) ? 1.0 : ((s_2 <= 0.0000004) ? 1.0 : 0.0);
-}
-
-float profile_filtered(
-    Angle u_3,
-    float w,
-    ProfileShape shape_1
-) {
-    float _e3 = profile_point(u_3, shape_1);
-    if ((false | (w <= 0.0)) | false) {
-        return _e3;
-    }
     float width = metal::sqrt(w * w);
-    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return metal::clamp(0.5 + ((shape_1.offset - (2.0 * _e15)) / width), 0.0, 1.0);
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape_1
 ) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset), _e14, shape_1);
+    return _e15;
 }
 
 metal::float4 shade(
@@ -273,14 +203,14 @@ metal::float4 shade(
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
     Angle inked_hollows_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = curvature_signed(surface_1.kappa, 0.3);
+    float _e22 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float shadow_convexity = 0.5 + (0.5 * _e22);
     float shadow_warp = ((2.0 * shadow_convexity) - 1.0) * 0.35;
-    float _e34 = profile(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    float _e34 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
     Light _e37 = look.key;
     LitLayer _e43 = light_apply(_e37, metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e34);
     Composite _e53 = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
-    float _e56 = curvature_signed_2_(surface_1.kappa, 0.5);
+    float _e56 = curvature_signed_balanced_2_(surface_1.kappa, 0.5);
     float inked_hollows_convexity = 0.5 + (0.5 * _e56);
     Color _e68 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
     Light _e71 = look.key;
@@ -288,11 +218,11 @@ metal::float4 shade(
     metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e53.xyz * (_e73.tone * _e73.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     Light _e89 = look.eye;
     metal::float3x3 _e93 = look.camera_from_world;
-    Angle _e94 = parametrization_screen_aligned(_e89, surface_1.normal, _e93);
-    float _e97 = curvature_signed(surface_1.kappa, 0.12);
+    Angle _e94 = parametrization_screen_aligned_balanced(_e89, surface_1.normal, _e93);
+    float _e97 = curvature_signed_balanced(surface_1.kappa, 0.12);
     float contour_convexity = 0.5 + (0.5 * _e97);
     float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.3;
-    float _e109 = profile(_e94, contour_warp, contour_tone_shape);
+    float _e109 = profile_balanced(_e94, contour_warp, contour_tone_shape);
     Light _e112 = look.eye;
     LitLayer _e115 = light_apply_3_(_e112, metal::float4(1.0), _e109);
     metal::float4 output = metal::clamp(metal::float4(inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -345,7 +275,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);

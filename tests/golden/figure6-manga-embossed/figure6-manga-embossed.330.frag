@@ -41,7 +41,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
 const ProfileShape light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
@@ -53,81 +52,20 @@ uniform sampler2D u_curvature_map;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_2, c);
 }
 
-float exp2_stable_3_(float x_2) {
-    float whole_2 = roundEven(x_2);
-    float f_2 = (x_2 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_5) {
-    float y_3 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_6) {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -139,10 +77,10 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
@@ -150,16 +88,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_2 : -(t_2));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 LitLayer light_apply(Light light, vec4 color, float tone) {
@@ -172,141 +102,71 @@ LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
 }
 
-Angle parametrization_screen_aligned(Light light_2, vec3 normal, mat3x3 camera_from_world) {
-    vec3 n = (camera_from_world * normal);
-    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
-    return Angle((0.5 * length((_e8 - light_2.own_direction))), (0.5 * length((_e8 + light_2.own_direction))));
+Angle parametrization_screen_aligned_balanced(Light light_2, vec3 normal, mat3x3 camera_from_world) {
+    vec3 d = (camera_from_world * normal);
+    return Angle((0.5 * length((d - light_2.own_direction))), (0.5 * length((d + light_2.own_direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2) {
+    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_1, shape_2);
+        return _e28;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
+    float _e30 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e30;
     }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_2_(Angle u_3, ProfileShape shape_1) {
-    float s_4 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_4, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_4, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        float _e32 = atan2_positive(u_4.half_sin, u_4.half_cos);
-        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_4, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_4, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_5, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_2 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_1 >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((0.5 + shape_3.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
-    return _e8;
-}
-
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift_1));
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
     return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.3);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float light_side_convexity = (0.5 + (0.5 * _e3));
     vec4 _e18 = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
     Light _e21 = u_look.below;
     mat3x3 _e25 = u_look.camera_from_world;
-    Angle _e26 = parametrization_screen_aligned(_e21, surface_1.normal, _e25);
+    Angle _e26 = parametrization_screen_aligned_balanced(_e21, surface_1.normal, _e25);
     float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
+    float _e34 = profile_balanced(_e26, light_side_warp, dark_side_tone_shape);
     Light _e37 = u_look.below;
     LitLayer _e38 = light_apply(_e37, _e18, _e34);
     vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), _e38.color.xyz, _e38.tone)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e64 = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
     Light _e67 = u_look.above;
     mat3x3 _e71 = u_look.camera_from_world;
-    Angle _e72 = parametrization_screen_aligned(_e67, surface_1.normal, _e71);
-    float _e74 = profile_2_(_e72, light_side_warp, light_side_tone_shape);
+    Angle _e72 = parametrization_screen_aligned_balanced(_e67, surface_1.normal, _e71);
+    float _e74 = profile_balanced(_e72, light_side_warp, light_side_tone_shape);
     Light _e77 = u_look.above;
     LitLayer _e78 = light_apply(_e77, _e64, _e74);
     vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e96 = curvature_signed(surface_1.kappa, 0.4);
+    float _e96 = curvature_signed_balanced(surface_1.kappa, 0.4);
     float hollows_convexity = (0.5 + (0.5 * _e96));
     vec4 _e108 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
     Light _e111 = u_look.above;
@@ -319,7 +179,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);

@@ -88,7 +88,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const ProfileShape dark_side_tone_shape = ConstructProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
 static const ProfileShape light_side_tone_shape = ConstructProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
@@ -109,95 +108,23 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+float3 normalize_seen_balanced(float3 v)
+{
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable(float x)
+float2 sin_cos_quick(float x)
 {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float y_1 = (x * x);
+    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return float2(s_2, c);
 }
 
-float exp2_stable_2_(float x_1)
+float log2_one_minus(float y)
 {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = round(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_3_(float x_2)
-{
-    float whole_2 = round(x_2);
-    float f_2 = (x_2 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_3)
-{
-    uint bits = asuint(x_3);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_eighth(float x_4)
-{
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return float2(s, c);
-}
-
-float2 sin_cos_tiny(float x_5)
-{
-    float y_3 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return float2(s_1, c_1);
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_6)
-{
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -218,12 +145,12 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
+    return angle_1;
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
@@ -231,17 +158,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_2 : -(t_2));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -265,154 +184,78 @@ LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
     return litlayer_1;
 }
 
-Angle parametrization_screen_aligned(Light light_2, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light_2, float3 normal, float3x3 camera_from_world)
 {
-    float3 n = mul(normal, camera_from_world);
-    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
-    const Angle angle_3 = ConstructAngle((0.5 * length((_e8 - light_2.own_direction))), (0.5 * length((_e8 + light_2.own_direction))));
-    return angle_3;
+    float3 d = mul(normal, camera_from_world);
+    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_2.own_direction))), (0.5 * length((d + light_2.own_direction))));
+    return angle_2;
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape)
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    bool is_narrow = ((w_1 > 0.0) & (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place.x, w_1, shape_2);
+        return _e28;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
+    const float _e30 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e30;
     }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_1);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_2_(Angle u_3, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
 {
-    float s_4 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_3 = (s_4 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_4, float w, ProfileShape shape_2)
-{
-    const float _e3 = profile_point(u_4, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        const float _e32 = atan2_positive(u_4.half_sin, u_4.half_cos);
-        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e45 = angle_turned(u_4, _e44);
-    const float _e46 = profile_point(_e45, shape_2);
-    const Angle _e51 = angle_turned(u_4, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_5, float w_1, ProfileShape shape_3)
-{
-    const float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_2 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_1 >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        const float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((0.5 + shape_3.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e45 = angle_turned(u_5, _e44);
-    const float _e46 = profile_point_2_(_e45, shape_3);
-    const Angle _e51 = angle_turned(u_5, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point_2_(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4)
-{
-    const float2 _e5 = sin_cos_eighth((0.5 * shift));
+    const float2 _e5 = sin_cos_quick((0.5 * shift));
     const Angle _e6 = angle_turned(angle, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_4);
-    return _e8;
-}
-
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
-{
-    const float2 _e5 = sin_cos_eighth((0.5 * shift_1));
-    const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
     return _e8;
 }
 
 float4 shade(Surface surface_1)
 {
-    const float _e3 = curvature_signed(surface_1.kappa, 0.3);
+    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float light_side_convexity = (0.5 + (0.5 * _e3));
     const float4 _e18 = curvature_color(light_side_convexity, float4(0.4275, 0.4078, 0.4745, 1.0), float4(0.2275, 0.2078, 0.2784, 1.0));
     Light _e21 = look.below;
     float3x3 _e25 = look.camera_from_world;
-    const Angle _e26 = parametrization_screen_aligned(_e21, surface_1.normal, _e25);
+    const Angle _e26 = parametrization_screen_aligned_balanced(_e21, surface_1.normal, _e25);
     float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    const float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
+    const float _e34 = profile_balanced(_e26, light_side_warp, dark_side_tone_shape);
     Light _e37 = look.below;
     const LitLayer _e38 = light_apply(_e37, _e18, _e34);
     float4 dark_side_blend = clamp(float4((float3(0.851, 0.8314, 0.7804) * lerp((1.0).xxx, _e38.color.xyz, _e38.tone)), 1.0), (0.0).xxxx, (1.0).xxxx);
     const float4 _e64 = curvature_color(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
     Light _e67 = look.above;
     float3x3 _e71 = look.camera_from_world;
-    const Angle _e72 = parametrization_screen_aligned(_e67, surface_1.normal, _e71);
-    const float _e74 = profile_2_(_e72, light_side_warp, light_side_tone_shape);
+    const Angle _e72 = parametrization_screen_aligned_balanced(_e67, surface_1.normal, _e71);
+    const float _e74 = profile_balanced(_e72, light_side_warp, light_side_tone_shape);
     Light _e77 = look.above;
     const LitLayer _e78 = light_apply(_e77, _e64, _e74);
     float4 light_side_blend = clamp(float4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e96 = curvature_signed(surface_1.kappa, 0.4);
+    const float _e96 = curvature_signed_balanced(surface_1.kappa, 0.4);
     float hollows_convexity = (0.5 + (0.5 * _e96));
     const float4 _e108 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
     Light _e111 = look.above;
@@ -447,7 +290,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));

@@ -38,7 +38,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 

@@ -53,7 +53,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
@@ -72,96 +71,35 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = (clamped_2 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_4 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_4, c);
 }
 
-float exp2_stable_3_(float x_2) {
-    float clamped_3 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_3);
-    float f_2 = (clamped_3 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_3 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_3) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_5) {
-    float y_3 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_6) {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_5, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_5 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
+    vec2 turned = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
@@ -169,16 +107,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_2 : -(t_2));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
@@ -213,174 +143,125 @@ LitLayer light_apply_3_(Light light_2, vec4 color_3, float tone_3) {
     return LitLayer(vec4(((color_3.xyz * light_2.color) * split_1.y), color_3.w), split_1.x);
 }
 
-Angle parametrization_specular(Light light_3, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light_3.direction))), (0.5 * length((_e8 + light_3.direction))));
+Angle parametrization_specular_balanced(Light light_3, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light_3.direction))), (0.5 * length((d + light_3.direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return clamp(_e21, 0.0, 1.0);
+float profile_power_quick(float q, float exponent) {
+    float y_2 = min((q * q), 1.0);
+    float _e5 = log2_one_minus(y_2);
+    float power = exp2(max((exponent * _e5), -126.0));
+    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || (shape.kind == PROFILE_AMBIENT))) {
+vec2 profile_place(Angle u_2, ProfileShape shape) {
+    return vec2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+}
+
+float profile_soft_quick(float s, ProfileShape shape_1) {
+    float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
+    return ((s <= 0.0) ? 1.0 : _e5);
+}
+
+float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
+    float q_1 = (s_1 * shape_2.scale);
+    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
+    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+}
+
+float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
+    float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+}
+
+float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4) {
+    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
+    float from_offset_1 = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((shape_4.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+}
+
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5) {
+    if ((shape_5.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+    vec2 _e7 = profile_place(u_3, shape_5);
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_5.edge_deviation)));
+    if (((shape_5.kind == PROFILE_STEP) || is_narrow)) {
+        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
+        return _e20;
     }
-    float q_3 = (s_3 * shape.scale);
-    float _e27 = profile_power(q_3, shape.exponent);
-    return _e27;
+    float _e22 = profile_soft_quick(_e7.x, shape_5);
+    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
+        return _e22;
+    }
+    float r = (0.19364917 * w_2);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_5);
+    float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_5);
+    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6) {
+    vec2 place = vec2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
+    float _e19 = profile_soft_quick_2_(place.x, shape_6);
+    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r_1 = (0.19364917 * w_3);
+    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e45 = profile_soft_quick_2_(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_6);
+    float _e53 = profile_soft_quick_2_(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_6);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_3, ProfileShape shape_1) {
-    float s_4 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_7) {
+    vec2 place_1 = vec2(((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset)), ((u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset)));
+    bool is_narrow_1 = ((w_4 > 0.0) && (w_4 >= (3.4641016 * shape_7.edge_deviation)));
+    if ((false || is_narrow_1)) {
+        float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_7);
+        return _e28;
     }
-    float q_4 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_4, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick_2_(place_1.x, shape_7);
+    if ((w_4 < (0.1 * shape_7.edge_deviation))) {
+        return _e30;
+    }
+    float r_2 = (0.19364917 * w_4);
+    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    float _e56 = profile_soft_quick_2_(((place_1.x * turn_2.y) - (place_1.y * turn_2.x)), shape_7);
+    float _e64 = profile_soft_quick_2_(((place_1.x * turn_2.y) + (place_1.y * turn_2.x)), shape_7);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_power_3_(float q_2, float exponent_2) {
-    float log_base_2 = 0.0;
-    if ((q_2 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_2 < 0.5)) {
-        float _e11 = log1p_negative_small((q_2 * q_2));
-        log_base_2 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_2) * (1.0 + q_2)));
-        log_base_2 = _e18;
-    }
-    float _e19 = log_base_2;
-    float _e21 = exp2_stable_3_((exponent_2 * _e19));
-    return min(_e21, 1.0);
-}
-
-float profile_point_3_(Angle u_4, ProfileShape shape_2) {
-    float s_5 = ((u_4.half_sin * shape_2.half_cos_offset) - (u_4.half_cos * shape_2.half_sin_offset));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_5 = (s_5 * shape_2.scale);
-    float _e17 = profile_power_3_(q_5, shape_2.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_3) {
-    float _e3 = profile_point(u_5, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || (shape_3.kind == PROFILE_AMBIENT))) {
-        return _e3;
-    }
-    if (((shape_3.edge_deviation < 0.145) && (w >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        float _e36 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
-    }
-    vec2 _e48 = sin_cos_tiny((0.19364917 * w));
-    Angle _e49 = angle_turned(u_5, _e48);
-    float _e50 = profile_point(_e49, shape_3);
-    Angle _e55 = angle_turned(u_5, vec2(-(_e48.x), _e48.y));
-    float _e56 = profile_point(_e55, shape_3);
-    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_6, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point_2_(_e16, shape_4);
-    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_4);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_7, float w_2, ProfileShape shape_5) {
-    float _e3 = profile_point_3_(u_7, shape_5);
-    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_3 || (w_2 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_2 >= (3.4641016 * shape_5.edge_deviation)))) {
-        float width_1 = sqrt(((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_5.offset + shape_5.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e45 = angle_turned(u_7, _e44);
-    float _e46 = profile_point_3_(_e45, shape_5);
-    Angle _e51 = angle_turned(u_7, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_3_(_e51, shape_5);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_8) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_8);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_1));
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
     return _e8;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
     Angle _e6 = angle_turned(angle_2, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.2);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
     float glint_convexity = (0.5 + (0.5 * _e3));
     vec4 _e10 = u_look.wing_case_color_concave;
     vec4 _e13 = u_look.wing_case_color_convex;
@@ -391,40 +272,40 @@ vec4 shade(Surface surface_1) {
     Angle hollows_angle = Angle((0.5 * length((surface_1.normal - _e24))), (0.5 * length((surface_1.normal + _e33))));
     float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
     ProfileShape _e47 = u_look.wing_case_tone_shape;
-    float _e48 = profile(hollows_angle, wing_case_warp, _e47);
+    float _e48 = profile_balanced(hollows_angle, wing_case_warp, _e47);
     Light _e51 = u_look.key;
     LitLayer _e52 = light_apply(_e51, wing_case_color, _e48);
     vec4 _e62 = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), _e52.color, _e52.tone, 1.0, true);
     vec4 _e73 = curvature_color(glint_convexity, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
     Light _e76 = u_look.side;
-    Angle _e79 = parametrization_specular(_e76, surface_1.normal, surface_1.view);
+    Angle _e79 = parametrization_specular_balanced(_e76, surface_1.normal, surface_1.view);
     float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
-    float _e87 = profile_2_(_e79, gold_warp, violet_tone_shape);
+    float _e87 = profile_balanced_2_(_e79, gold_warp, violet_tone_shape);
     Light _e90 = u_look.side;
     LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
     vec4 violet_blend = clamp(vec4((_e62.xyz + (_e91.tone * _e91.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e107 = u_look.gold_color_convex;
     vec4 _e113 = curvature_color(glint_convexity, _e107, vec4(0.2902, 0.3529, 0.0627, 1.0));
     Light _e116 = u_look.key;
-    Angle _e119 = parametrization_specular(_e116, surface_1.normal, surface_1.view);
-    float _e121 = profile_3_(_e119, gold_warp, gold_tone_shape);
+    Angle _e119 = parametrization_specular_balanced(_e116, surface_1.normal, surface_1.view);
+    float _e121 = profile_balanced_3_(_e119, gold_warp, gold_tone_shape);
     Light _e124 = u_look.key;
     LitLayer _e125 = light_apply(_e124, _e113, _e121);
     vec4 _e136 = blend_finish(violet_blend, (violet_blend.xyz + (_e125.tone * _e125.color.xyz)), 1.0, _e125.color.w, true);
     vec4 _e139 = u_look.green_sheen_color_convex;
     vec4 _e145 = curvature_color(glint_convexity, _e139, vec4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    float _e153 = profile_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
+    float _e153 = profile_balanced_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
     Light _e156 = u_look.key;
     LitLayer _e157 = light_apply(_e156, _e145, _e153);
     vec4 _e168 = blend_finish(_e136, (_e136.xyz + (_e157.tone * _e157.color.xyz)), 1.0, _e157.color.w, true);
     vec4 _e176 = curvature_color(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
-    float _e184 = profile_3_(_e119, glint_warp, glint_tone_shape);
+    float _e184 = profile_balanced_3_(_e119, glint_warp, glint_tone_shape);
     Light _e187 = u_look.key;
     LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
     vec4 glint_blend = clamp(vec4((_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e206 = curvature_signed(surface_1.kappa, 0.3);
+    float _e206 = curvature_signed_balanced(surface_1.kappa, 0.3);
     float hollows_convexity = (0.5 + (0.5 * _e206));
     vec4 _e213 = u_look.hollows_color_concave;
     vec4 _e218 = u_look.hollows_color_concave;
@@ -439,7 +320,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -39,7 +39,6 @@ struct Varyings {
     vec3 normal;
 };
 const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;

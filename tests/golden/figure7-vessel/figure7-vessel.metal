@@ -69,114 +69,32 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant ProfileShape tone_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u};
 constant ProfileShape shade_tone_shape = ProfileShape {0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u};
 constant ProfileShape light_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u};
 constant ProfileShape edge_tone_shape = ProfileShape {0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1, 0.19658314, 0.08474467, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
+) {
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float exp2_stable(
+metal::float2 sin_cos_quick(
     float x
 ) {
-    float clamped_3 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = clamped_3 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float y_1 = x * x;
+    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    return metal::float2(s_2, c);
 }
 
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_3_(
-    float x_2
-) {
-    float clamped_4 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_4);
-    float f_2 = clamped_4 - whole_2;
-    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
-    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_eighth(
-    float x_4
-) {
-    float y_2 = x_4 * x_4;
-    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
-    return metal::float2(s, c);
-}
-
-metal::float2 sin_cos_tiny(
-    float x_5
-) {
-    float y_3 = x_5 * x_5;
-    float s_1 = x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
-    float c_1 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y_1,
-    float x_6
-) {
-    float small = metal::min(y_1, x_6);
-    float large = metal::max(y_1, x_6);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_6) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -185,18 +103,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
+    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -204,10 +122,9 @@ Angle angle_turned_2_(
     Angle u_2,
     metal::float2 t_1
 ) {
-    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_3 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
-    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper_1;
+    float s_4 = u_2.half_sin - 0.0;
+    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, u_2.half_cos);
+    metal::float2 turned_1 = ((s_4 <= 0.0) & (s_4 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
     return Angle {turned_1.x, turned_1.y};
 }
 
@@ -219,19 +136,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_1 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -282,165 +191,115 @@ LitLayer light_apply_2_(
     return LitLayer {metal::float4(light_1.color * split_1.y, 1.0), tone_4 * split_1.x};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_2,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light_2.direction), 0.5 * metal::length(_e8 + light_2.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
 }
 
-Angle parametrization_screen_aligned(
+Angle parametrization_screen_aligned_balanced(
     Light light_3,
     metal::float3 normal_1,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 n = camera_from_world * normal_1;
-    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
-    return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
+    metal::float3 d_1 = camera_from_world * normal_1;
+    return Angle {0.5 * metal::length(d_1 - light_3.own_direction), 0.5 * metal::length(d_1 + light_3.own_direction)};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_4 * shape.scale;
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_ramp_quick(
+    float s_1,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_5 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_5 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered(
-    Angle u_5,
-    float w,
+float profile_filtered_quick(
+    Angle u_3,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset), (u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if (w_1 < (0.1 * shape_2.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_5, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w_1;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
-    float w_1,
+float profile_filtered_quick_2_(
+    Angle u_4,
+    float w_2,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset), (u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
     }
-    if (true & (w_1 >= (3.4641016 * shape_3.edge_deviation))) {
-        float width = metal::sqrt((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e45 = angle_turned(u_6, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_6, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float r_1 = 0.19364917 * w_2;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
+    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_4
 ) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
     ProfileShape shape_5
 ) {
     Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_3_(
+float profile_balanced_3_(
     Angle angle_2,
     float shift_2,
     ProfileShape shape_6
 ) {
-    metal::float2 _e5 = sin_cos_eighth(0.5 * shift_2);
+    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
     return _e8;
 }
 
@@ -448,14 +307,14 @@ metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.2);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
     float light_convexity = 0.5 + (0.5 * _e3);
     Color _e18 = curvature_color(light_convexity, metal::float4(0.8471, 0.2588, 0.2353, 1.0), metal::float4(0.5412, 0.1098, 0.1647, 1.0));
     metal::float3 _e23 = look.key.direction;
     metal::float3 _e32 = look.key.direction;
     Angle tone_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
     float tone_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
-    float _e45 = profile(tone_angle, tone_warp, tone_tone_shape);
+    float _e45 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
     Light _e48 = look.key;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
     Composite _e59 = blend_alpha(metal::float4(0.4784, 0.0784, 0.1255, 1.0), _e49.color, _e49.tone, 1.0, true);
@@ -464,23 +323,23 @@ metal::float4 shade(
     metal::float3 _e84 = look.side.direction;
     Angle shade_angle = Angle {0.5 * metal::length(surface_1.normal - _e75), 0.5 * metal::length(surface_1.normal + _e84)};
     float shade_warp = ((2.0 * light_convexity) - 1.0) * -0.2;
-    float _e97 = profile(shade_angle, shade_warp, shade_tone_shape);
+    float _e97 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     Light _e100 = look.side;
     LitLayer _e101 = light_apply(_e100, _e70, _e97);
     Composite _e106 = blend_shade(_e59, _e101.color, _e101.tone, 0.8, true);
     Light _e109 = look.key;
-    Angle _e112 = parametrization_specular(_e109, surface_1.normal, surface_1.view);
-    float _e115 = profile_2_(_e112, 0.0, light_tone_shape);
+    Angle _e112 = parametrization_specular_balanced(_e109, surface_1.normal, surface_1.view);
+    float _e115 = profile_balanced_2_(_e112, 0.0, light_tone_shape);
     Light _e118 = look.key;
     LitLayer _e124 = light_apply(_e118, metal::float4(1.0, 0.8471, 0.8, 1.0), _e115);
     Composite _e129 = blend_alpha_2_(_e106, _e124.color, _e124.tone, 0.6, true);
     Light _e132 = look.eye;
     metal::float3x3 _e136 = look.camera_from_world;
-    Angle _e137 = parametrization_screen_aligned(_e132, surface_1.normal, _e136);
-    float _e140 = curvature_signed(surface_1.kappa, 0.1);
+    Angle _e137 = parametrization_screen_aligned_balanced(_e132, surface_1.normal, _e136);
+    float _e140 = curvature_signed_balanced(surface_1.kappa, 0.1);
     float edge_convexity = 0.5 + (0.5 * _e140);
     float edge_warp = ((2.0 * edge_convexity) - 1.0) * 0.2;
-    float _e152 = profile_3_(_e137, edge_warp, edge_tone_shape);
+    float _e152 = profile_balanced_3_(_e137, edge_warp, edge_tone_shape);
     Light _e155 = look.eye;
     LitLayer _e158 = light_apply_2_(_e155, metal::float4(1.0), _e152);
     metal::float4 output = metal::clamp(metal::float4(_e129.xyz + (0.55 * ((_e129.xyz * (_e158.tone * _e158.color.xyz)) - _e129.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -537,7 +396,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
     metal::float4 _e11 = view_1.eye;

@@ -54,7 +54,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const ProfileShape tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u);
@@ -81,21 +80,13 @@ float exp2_stable(float x) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -104,11 +95,11 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_tiny(float x_3) {
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+vec2 sin_cos_tiny(float x_2) {
+    float y_2 = (x_2 * x_2);
+    float s_2 = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
     float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
+    return vec2(s_2, c);
 }
 
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
@@ -121,19 +112,9 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_4) {
-    float small = min(y_1, x_4);
-    float large = max(y_1, x_4);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_2 = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_4) ? (HALF_PI - a_2) : a_2);
+float log2_one_minus(float y_1) {
+    float series = ((-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2)))))))));
+    return ((y_1 < 0.0625) ? series : log2(max((1.0 - y_1), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -145,26 +126,33 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
     float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_2));
+    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < c_2)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
-float bounded(float x_5) {
-    uint bits_1 = floatBitsToUint(x_5);
+Angle angle_turned_3_(Angle u_3, vec2 t_2) {
+    float s_5 = (u_3.half_sin - 0.0);
+    vec2 upper_2 = ((u_3.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, u_3.half_cos));
+    vec2 turned_2 = (((s_5 <= 0.0) && (s_5 < u_3.half_cos)) ? vec2(0.0, 1.0) : upper_2);
+    return Angle(turned_2.x, turned_2.y);
+}
+
+float bounded(float x_3) {
+    uint bits_1 = floatBitsToUint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
     float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -175,19 +163,19 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float footprint_of(float x_6) {
-    float _e1 = dFdx(x_6);
-    float _e2 = dFdy(x_6);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t_2) {
+vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t_3) {
     vec4 d_1 = (b_1 - a_1);
-    return (a_1 + (t_2 * (from_a + (t_2 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_2 * ((from_a + to_b) - (2.0 * d_1))))))));
+    return (a_1 + (t_3 * (from_a + (t_3 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_1))))))));
 }
 
-float curve_at(Curve curve, float x_7, float w) {
+float curve_at(Curve curve, float x_5, float w) {
     vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2_ = 1u;
     uint at = 0u;
@@ -207,23 +195,23 @@ float curve_at(Curve curve, float x_7, float w) {
         uint _e14 = i_2_;
         uint _e15 = i_2_;
         float _e18 = points[_e15].x;
-        at = ((_e18 <= x_7) ? _e14 : _e13);
+        at = ((_e18 <= x_5) ? _e14 : _e13);
     }
     uint _e24 = at;
-    vec4 a_3 = points[_e24];
+    vec4 a_2 = points[_e24];
     uint _e27 = at;
-    if ((((_e27 + 1u) >= 6u) || (x_7 <= a_3.x))) {
-        return a_3.y;
+    if ((((_e27 + 1u) >= 6u) || (x_5 <= a_2.x))) {
+        return a_2.y;
     }
     uint _e36 = at;
     vec4 b_2 = points[(_e36 + 1u)];
-    float _e46 = divided((x_7 - a_3.x), (b_2.x - a_3.x));
+    float _e46 = divided((x_5 - a_2.x), (b_2.x - a_2.x));
     float t_4 = clamp(_e46, 0.0, 1.0);
-    vec4 _e66 = hermite(vec4(a_3.y), vec4(b_2.y), ((b_2.x - a_3.x) * vec4(a_3.z)), ((b_2.x - a_3.x) * vec4(b_2.z)), t_4);
+    vec4 _e66 = hermite(vec4(a_2.y), vec4(b_2.y), ((b_2.x - a_2.x) * vec4(a_2.z)), ((b_2.x - a_2.x) * vec4(b_2.z)), t_4);
     return _e66.x;
 }
 
-float curve_at_2_(Curve curve_1, float x_8, float w_1) {
+float curve_at_2_(Curve curve_1, float x_6, float w_1) {
     vec4 points_1[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2_1 = 1u;
     uint at_1 = 0u;
@@ -243,19 +231,19 @@ float curve_at_2_(Curve curve_1, float x_8, float w_1) {
         uint _e14 = i_2_1;
         uint _e15 = i_2_1;
         float _e18 = points_1[_e15].x;
-        at_1 = ((_e18 <= x_8) ? _e14 : _e13);
+        at_1 = ((_e18 <= x_6) ? _e14 : _e13);
     }
     uint _e24 = at_1;
-    vec4 a_4 = points_1[_e24];
+    vec4 a_3 = points_1[_e24];
     uint _e27 = at_1;
-    if ((((_e27 + 1u) >= 4u) || (x_8 <= a_4.x))) {
-        return a_4.y;
+    if ((((_e27 + 1u) >= 4u) || (x_6 <= a_3.x))) {
+        return a_3.y;
     }
     uint _e36 = at_1;
     vec4 b_3 = points_1[(_e36 + 1u)];
-    float _e46 = divided((x_8 - a_4.x), (b_3.x - a_4.x));
+    float _e46 = divided((x_6 - a_3.x), (b_3.x - a_3.x));
     float t_5 = clamp(_e46, 0.0, 1.0);
-    vec4 _e66 = hermite(vec4(a_4.y), vec4(b_3.y), ((b_3.x - a_4.x) * vec4(a_4.z)), ((b_3.x - a_4.x) * vec4(b_3.z)), t_5);
+    vec4 _e66 = hermite(vec4(a_3.y), vec4(b_3.y), ((b_3.x - a_3.x) * vec4(a_3.z)), ((b_3.x - a_3.x) * vec4(b_3.z)), t_5);
     return _e66.x;
 }
 
@@ -282,10 +270,9 @@ LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
     return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
+    vec3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d_2 - light_1.direction))), (0.5 * length((d_2 + light_1.direction))));
 }
 
 float profile_power(float q, float exponent) {
@@ -305,123 +292,72 @@ float profile_power(float q, float exponent) {
     return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    if (((s_3 <= 0.0) || false)) {
+float profile_point(Angle u_4, ProfileShape shape) {
+    float s_6 = (u_4.half_sin - (u_4.half_cos * 0.0));
+    if (((s_6 <= 0.0) || false)) {
         return 1.0;
     }
-    float q_2 = (s_3 * shape.scale);
-    float _e15 = profile_power(q_2, shape.exponent);
+    float q_1 = (s_6 * shape.scale);
+    float _e15 = profile_power(q_1, shape.exponent);
     return _e15;
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
-}
-
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_point_3_(Angle u_5, ProfileShape shape_2) {
-    float s_5 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_4 = (s_5 * shape_2.scale);
-    float _e17 = profile_power(q_4, shape_2.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_6, float w_2, ProfileShape shape_3) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w_2 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
+float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
+    float _e3 = profile_point(u_5, shape_1);
+    bool is_wide = (w_2 < (0.1 * shape_1.edge_deviation));
+    if (((is_wide || (w_2 <= 0.0)) || false)) {
         return _e3;
     }
     vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
+    Angle _e16 = angle_turned(u_5, _e15);
+    float _e17 = profile_point(_e16, shape_1);
+    Angle _e22 = angle_turned(u_5, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_1);
     return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float profile_filtered_2_(Angle u_7, float w_3, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_3 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_3 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width = sqrt(((w_3 * w_3) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_3));
-    Angle _e45 = angle_turned(u_7, _e44);
-    float _e46 = profile_point_2_(_e45, shape_4);
-    Angle _e51 = angle_turned(u_7, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_4);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+float profile_soft_quick(float s, ProfileShape shape_2) {
+    float q_2 = (s * shape_2.scale);
+    float _e8 = log2_one_minus(min((q_2 * q_2), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q_2 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_filtered_3_(Angle u_8, float w_4, ProfileShape shape_5) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_3 = (w_4 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_3 || (w_4 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_4 >= (3.4641016 * shape_5.edge_deviation)))) {
-        float width_1 = sqrt(((w_4 * w_4) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-        float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
-        return clamp((0.5 + (((0.5 + shape_5.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_4));
-    Angle _e45 = angle_turned(u_8, _e44);
-    float _e46 = profile_point_3_(_e45, shape_5);
-    Angle _e51 = angle_turned(u_8, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_3_(_e51, shape_5);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+float profile_ramp_quick(float s_1, float w_3, ProfileShape shape_3) {
+    float width = sqrt(((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w_3 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_6) {
+float profile_filtered_quick(Angle u_6, float w_4, ProfileShape shape_4) {
+    vec2 place = vec2(((u_6.half_sin * shape_4.half_cos_offset) - (u_6.half_cos * shape_4.half_sin_offset)), ((u_6.half_cos * shape_4.half_cos_offset) + (u_6.half_sin * shape_4.half_sin_offset)));
+    bool is_narrow = ((w_4 > 0.0) && (w_4 >= (3.4641016 * shape_4.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_4, shape_4);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place.x, shape_4);
+    if ((w_4 < (0.1 * shape_4.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_4);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_4);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_4);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_5) {
     Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+float profile_balanced(Angle angle_1, float shift_1, ProfileShape shape_6) {
+    Angle _e6 = angle_turned_3_(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
     return _e8;
 }
 
@@ -435,15 +371,15 @@ vec4 shade(Surface surface_1) {
     float body_tone = clamp(_e25, 0.0, 1.0);
     vec4 _e41 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
     Light _e44 = u_look.key;
-    Angle _e47 = parametrization_specular(_e44, surface_1.normal, surface_1.view);
-    float _e50 = profile_2_(_e47, 0.0, sheen_tone_shape);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    float _e50 = profile_balanced(_e47, 0.0, sheen_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.3725, 0.3451, 0.298, 1.0), _e50);
     vec4 sheen_blend = clamp(vec4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e77 = u_look.back.direction;
     vec3 _e86 = u_look.back.direction;
     Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e77))), (0.5 * length((surface_1.normal + _e86))));
-    float _e94 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
+    float _e94 = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     Light _e97 = u_look.back;
     LitLayer _e103 = light_apply(_e97, vec4(0.498, 0.5255, 0.549, 1.0), _e94);
     vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + (_e103.tone * _e103.color.xyz)), 1.0), vec4(0.0), vec4(1.0));

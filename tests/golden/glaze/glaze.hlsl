@@ -124,63 +124,8 @@ struct FragmentInput_fs_main {
 
 float4 finite_vec4_(float4 v)
 {
-    uint4 exponent_2 = (2139095040u).xxxx;
-    return (((asuint(v) & exponent_2) != exponent_2) ? v : (0.0).xxxx);
-}
-
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x)
-{
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_3_(float x_2)
-{
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = round(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_3)
-{
-    uint bits = asuint(x_3);
-    int exponent_3 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_3) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_4)
-{
-    float y_1 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return float2(s, c);
+    uint4 exponent = (2139095040u).xxxx;
+    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
 float3 normalize_moderate(float3 v_1, float3 otherwise)
@@ -193,6 +138,12 @@ float3 normalize_seen(float3 v_2)
 {
     const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
+}
+
+float log2_one_minus(float y)
+{
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -213,44 +164,33 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_1, u_1.half_cos));
+    float2 turned = (((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
-{
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_3 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_3;
-}
-
 float3 bounded_vec3_(float3 v_3)
 {
-    uint3 bits_1 = asuint(v_3);
-    uint3 magnitude = (bits_1 & (2147483647u).xxx);
-    float3 largest = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 bits = asuint(v_3);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
     return ((magnitude < (2139095040u).xxx) ? v_3 : numbers);
 }
 
-float3 mixed_vec3_(float3 a, float3 b, float t_2)
+float3 mixed_vec3_(float3 a, float3 b, float t_1)
 {
     const float3 _e4 = bounded_vec3_((b - a));
-    const float3 _e14 = bounded_vec3_(((t_2 < 0.5) ? (a + (t_2 * _e4)) : (b - ((1.0 - t_2) * _e4))));
+    const float3 _e14 = bounded_vec3_(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
     return _e14;
 }
 
-float footprint_of(float x_5)
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_5);
-    float _e2 = ddy(x_5);
+    float _e1 = ddx(x);
+    float _e2 = ddy(x);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -314,17 +254,9 @@ float4 mix_colors_hue(float4 a_5, float4 b_4, float factor_3)
     return float4(_e35, 1.0);
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a_6 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_1 = min(abs(a_6), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a_6 * a_6);
-        return (a_6 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_6 >= 0.0) ? t_3 : -(t_3));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -346,117 +278,61 @@ LitLayer light_apply(Light light, float4 color_1, float tone_1)
     return litlayer;
 }
 
-Angle parametrization_specular(Light light_1, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal);
-    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
-    return angle_4;
+    float3 d_1 = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
+    return angle_3;
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
 {
-    float s_3 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
+    float2 place = float2((u_2.half_sin - 0.0), u_2.half_cos);
+    const float _e9 = profile_soft_quick(place.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e9;
     }
-    float q_2 = (s_3 * shape.scale);
-    const float _e15 = profile_power(q_2, shape.exponent);
-    return _e15;
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e35 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
+    const float _e43 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
+    return ((((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_filtered_quick_2_(Angle u_3, float w_1, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+    float2 place_1 = float2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place_1.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r_1 = (0.19364917 * w_1);
+    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    const float _e45 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_2);
+    const float _e53 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
 {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_3 = (s_4 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2)
-{
-    const float _e3 = profile_point(u_5, shape_2);
-    bool is_wide = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e16 = angle_turned(u_5, _e15);
-    const float _e17 = profile_point(_e16, shape_2);
-    const Angle _e22 = angle_turned(u_5, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3)
-{
-    const float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_1 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e16 = angle_turned(u_6, _e15);
-    const float _e17 = profile_point_2_(_e16, shape_3);
-    const Angle _e22 = angle_turned(u_6, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point_2_(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_4);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_4)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_4);
     return _e8;
 }
 
@@ -470,8 +346,7 @@ float rim(Light light_2, float3 normal_1, float3 view_1, float width, float soft
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
-    float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), _e42);
+    float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), (across * rsqrt(max(dot(across, across), 1e-30))));
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -488,13 +363,13 @@ float4 shade(Surface surface_1)
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
     Angle gray_modeling_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
+    const float _e22 = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     Light _e25 = look.key;
     const LitLayer _e31 = light_apply(_e25, float4(0.7059, 0.7059, 0.7059, 1.0), _e22);
     const float4 _e41 = blend_alpha(float4(0.1216, 0.1216, 0.1216, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    const Angle _e47 = parametrization_specular(_e44, surface_1.normal, surface_1.view);
-    const float _e50 = profile_2_(_e47, 0.0, gray_lights_tone_shape);
+    const Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    const float _e50 = profile_balanced_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
     float4 gray_lights_blend = clamp(float4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -503,13 +378,13 @@ float4 shade(Surface surface_1)
     float4 glaze_of_green_earth = float4(lerp(grisaille.xyz, _e82, 0.75), 1.0);
     const float3 _e93 = lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
     float4 glaze_of_sienna = float4(lerp(grisaille.xyz, _e93, 0.7), 1.0);
-    float3 place = surface_1.position_object;
-    VectorParts height = ConstructVectorParts(place.x, place.y, place.z);
+    float3 place_2 = surface_1.position_object;
+    VectorParts height = ConstructVectorParts(place_2.x, place_2.y, place_2.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     float4 from_green_to_sienna = lerp(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     const float4 _e114 = mix_colors_soft_light(from_green_to_sienna, float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e128 = curvature_signed(curvature, 0.06);
+    const float _e128 = curvature_signed_balanced(curvature, 0.06);
     float bulge = (0.5 + (0.5 * _e128));
     float hollows = lerp(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
     const float4 _e147 = mix_colors_hue(_e114, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);

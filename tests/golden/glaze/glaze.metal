@@ -81,69 +81,8 @@ constant ProfileShape gray_lights_tone_shape = ProfileShape {0.99875027, 0.04997
 metal::float4 finite_vec4_(
     metal::float4 v
 ) {
-    metal::uint4 exponent_2 = metal::uint4(2139095040u);
-    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent_2) != exponent_2);
-}
-
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
-) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_3_(
-    float x_2
-) {
-    float clamped_2 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_2);
-    float f_2 = clamped_2 - whole_2;
-    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
-    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int exponent_3 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_3) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_4
-) {
-    float y_1 = x_4 * x_4;
-    float s = x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
-    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
-    return metal::float2(s, c);
+    metal::uint4 exponent = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
 }
 
 metal::float3 normalize_moderate(
@@ -161,6 +100,13 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
+float log2_one_minus(
+    float y
+) {
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+}
+
 float angle_footprint(
     Angle u
 ) {
@@ -175,30 +121,18 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_1 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
 }
 
 metal::float3 bounded_vec3_(
     metal::float3 v_3
 ) {
-    metal::uint3 bits_1 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude = bits_1 & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::uint3 bits = as_type<metal::uint3>(v_3);
+    metal::uint3 magnitude = bits & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v_3, magnitude < metal::uint3(2139095040u));
 }
@@ -206,18 +140,18 @@ metal::float3 bounded_vec3_(
 metal::float3 mixed_vec3_(
     metal::float3 a,
     metal::float3 b,
-    float t_2
+    float t_1
 ) {
     metal::float3 _e4 = bounded_vec3_(b - a);
-    metal::float3 _e14 = bounded_vec3_((t_2 < 0.5) ? (a + (t_2 * _e4)) : (b - ((1.0 - t_2) * _e4)));
+    metal::float3 _e14 = bounded_vec3_((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4)));
     return _e14;
 }
 
 float footprint_of(
-    float x_5
+    float x
 ) {
-    float _e1 = metal::dfdx(x_5);
-    float _e2 = metal::dfdy(x_5);
+    float _e1 = metal::dfdx(x);
+    float _e2 = metal::dfdy(x);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -298,19 +232,11 @@ Color mix_colors_hue(
     return metal::float4(_e35, 1.0);
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_6 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude_1 = metal::min(metal::abs(a_6), 50.0);
-    if (magnitude_1 < 0.0625) {
-        float a2_ = a_6 * a_6;
-        return a_6 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_6 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -332,137 +258,77 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_1,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
+    metal::float3 d_1 = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d_1 - light_1.direction), 0.5 * metal::length(d_1 + light_1.direction)};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = u_3.half_sin - (u_3.half_cos * 0.0);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_3 * shape.scale;
-    float _e15 = profile_power(q_2, shape.exponent);
-    return _e15;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_filtered_quick(
+    Angle u_2,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
+    metal::float2 place = metal::float2(u_2.half_sin - 0.0, u_2.half_cos);
+    float _e9 = profile_soft_quick(place.x, shape_1);
+    if (w < (0.1 * shape_1.edge_deviation)) {
+        return _e9;
     }
-    float q_3 = s_4 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e35 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_1);
+    float _e43 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_1);
+    return (((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0;
 }
 
-float profile_filtered(
-    Angle u_5,
-    float w,
+float profile_filtered_quick_2_(
+    Angle u_3,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset), (u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place_1.x, shape_2);
+    if (w_1 < (0.1 * shape_2.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_5, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r_1 = 0.19364917 * w_1;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e45 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_2);
+    float _e53 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_2);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
-    float w_1,
-    ProfileShape shape_3
-) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_1 = w_1 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_1 | (w_1 <= 0.0)) | false) {
-        return _e3;
-    }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point_2_(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_3);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
-}
-
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape_3
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_5
+    ProfileShape shape_4
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_4);
     return _e8;
 }
 
@@ -482,8 +348,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
-    float side = metal::dot(normal_1 - (metal::dot(normal_1, view_1) * view_1), _e42);
+    float side = metal::dot(normal_1 - (metal::dot(normal_1, view_1) * view_1), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -494,13 +359,13 @@ metal::float4 shade(
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
     Angle gray_modeling_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
+    float _e22 = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     Light _e25 = look.key;
     LitLayer _e31 = light_apply(_e25, metal::float4(0.7059, 0.7059, 0.7059, 1.0), _e22);
     Composite _e41 = blend_alpha(metal::float4(0.1216, 0.1216, 0.1216, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    Angle _e47 = parametrization_specular(_e44, surface_1.normal, surface_1.view);
-    float _e50 = profile_2_(_e47, 0.0, gray_lights_tone_shape);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    float _e50 = profile_balanced_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
     metal::float4 gray_lights_blend = metal::clamp(metal::float4(_e41.xyz + (_e59.tone * _e59.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -509,13 +374,13 @@ metal::float4 shade(
     metal::float4 glaze_of_green_earth = metal::float4(metal::mix(grisaille.xyz, _e82, 0.75), 1.0);
     metal::float3 _e93 = lit_as(metal::float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
     metal::float4 glaze_of_sienna = metal::float4(metal::mix(grisaille.xyz, _e93, 0.7), 1.0);
-    metal::float3 place = surface_1.position_object;
+    metal::float3 place_2 = surface_1.position_object;
     VectorParts height = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
     float toward_the_head = metal::smoothstep(-0.5, 0.5, height.y);
     metal::float4 from_green_to_sienna = metal::mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     Color _e114 = mix_colors_soft_light(from_green_to_sienna, metal::float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e128 = curvature_signed(curvature, 0.06);
+    float _e128 = curvature_signed_balanced(curvature, 0.06);
     float bulge = 0.5 + (0.5 * _e128);
     float hollows = metal::mix(0.6, 0.0, metal::min((bulge - 0.0) / 0.55, 1.0));
     Color _e147 = mix_colors_hue(_e114, metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);

@@ -43,7 +43,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const ProfileShape not_in_deep_shade_shape = ProfileShape(0.65243745, 0.75784254, 0.0, 1.0, 1.72, 0.0, 0.0, 1u);
 const ProfileShape highlight_shape = ProfileShape(0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0, 1u);
 
@@ -58,42 +57,14 @@ layout(location = 0) out vec4 out_color;
 vec2 sin_cos_quarter(float x) {
     float h = (0.5 * x);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    return vec2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
 }
 
-vec2 sin_cos_eighth(float x_1) {
-    float y_1 = (x_1 * x_1);
-    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y, float x_2) {
-    float small = min(y, x_2);
-    float large = max(y, x_2);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r_2 = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r_2 * r_2);
-    float series = (r_2 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_1 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_2) ? (HALF_PI - a_1) : a_1);
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
 float angle_footprint(Angle u) {
@@ -105,86 +76,61 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = (u_1.half_sin - (u_1.half_cos * 0.0));
-    float c_2 = (u_1.half_cos + (u_1.half_sin * 0.0));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits = floatBitsToUint(v_2);
+vec2 bounded_vec2_(vec2 v_1) {
+    uvec2 bits = floatBitsToUint(v_1);
     uvec2 magnitude = (bits & uvec2(2147483647u));
     vec2 largest = uintBitsToFloat(((bits & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest, equal(magnitude, uvec2(2139095040u)));
-    return mix(numbers, v_2, lessThan(magnitude, uvec2(2139095040u)));
+    return mix(numbers, v_1, lessThan(magnitude, uvec2(2139095040u)));
 }
 
-float eased(float x_3, float low, float high) {
-    float t_2 = clamp(((x_3 - low) / (high - low)), 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+float eased(float x_1, float low, float high) {
+    float t_1 = clamp(((x_1 - low) / (high - low)), 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-vec2 footprint_of_vec2_(vec2 v_3) {
-    vec2 dx_1 = dFdx(v_3);
-    vec2 dy_1 = dFdy(v_3);
+vec2 footprint_of_vec2_(vec2 v_2) {
+    vec2 dx_1 = dFdx(v_2);
+    vec2 dy_1 = dFdy(v_2);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
-Angle parametrization_specular(Light light, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light.direction))), (0.5 * length((_e8 + light.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    return (((s_3 <= 0.0) || false) ? 1.0 : ((s_3 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_3, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_3, shape_1);
-    if (((false || (w <= 0.0)) || false)) {
-        return _e3;
-    }
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
     float width = sqrt((w * w));
-    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return clamp((0.5 + ((shape_1.offset - (2.0 * _e15)) / width)), 0.0, 1.0);
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_2) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_1) {
     Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
+    return _e15;
 }
 
 vec2 turned_by(vec2 p, float angle_1) {
-    vec2 _e8 = sin_cos_eighth((((angle_1 - 0.0) - 0.0) - 0.0));
-    vec2 turn = clamp(_e8, vec2(-1.0), vec2(1.0));
+    vec2 turn = vec2(sin(angle_1), cos(angle_1));
     return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
 }
 
-vec2 turned_by_2_(vec2 p_1, float angle_2) {
-    vec2 _e8 = sin_cos_quarter((((angle_2 - 0.0) - 0.0) - 0.0));
-    vec2 turn_1 = clamp(_e8, vec2(-1.0), vec2(1.0));
-    return vec2(((turn_1.y * p_1.x) - (turn_1.x * p_1.y)), ((turn_1.x * p_1.x) + (turn_1.y * p_1.y)));
-}
-
-vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_3) {
+vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
     vec2 most = vec2(4194304.0);
     vec2 _e6 = bounded_vec2_(place);
     vec2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport.y, 1.0))));
-    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_3);
+    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_2);
     return clamp(_e17, vec2(-4194304.0), most);
-}
-
-vec2 screen_cells_2_(vec2 place_1, vec2 viewport_1, float lines_1, float angle_4) {
-    vec2 most_1 = vec2(4194304.0);
-    vec2 _e6 = bounded_vec2_(place_1);
-    vec2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport_1.y, 1.0))));
-    vec2 _e17 = turned_by_2_(clamp(_e13, vec2(-4194304.0), most_1), angle_4);
-    return clamp(_e17, vec2(-4194304.0), most_1);
 }
 
 float dot_radius(float share) {
@@ -193,8 +139,8 @@ float dot_radius(float share) {
     if ((share <= 0.7853982)) {
         return sqrt((share * 0.31830987));
     }
-    float s_4 = ((share - 0.7853982) / 0.21460183);
-    a = mix((0.5227232 * sqrt(s_4)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_4)))), s_4);
+    float s_3 = ((share - 0.7853982) / 0.21460183);
+    a = mix((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -209,12 +155,12 @@ float dot_radius(float share) {
         float _e28 = a;
         vec2 _e32 = sin_cos_quarter(clamp(_e28, 0.0, 0.7853982));
         float tangent = (_e32.x / _e32.y);
-        float square_1 = (1.0 / (_e32.y * _e32.y));
+        float square = (1.0 / (_e32.y * _e32.y));
         float _e41 = a;
         float sector = (0.7853982 - _e41);
-        float slope = (((2.0 * sector) * square_1) * tangent);
+        float slope = (((2.0 * sector) * square) * tangent);
         float _e48 = a;
-        a = clamp((_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
+        a = clamp((_e48 - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
     }
     float _e64 = a;
     vec2 _e65 = sin_cos_quarter(_e64);
@@ -225,20 +171,20 @@ float disk_filtered(float d, float r, float w_1) {
     if ((w_1 < 1e-30)) {
         return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square_2 = (r * r);
+    float square_1 = (r * r);
     float least = ((w_1 * w_1) / 3.0);
-    float inner = sqrt((max(square_2, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w_1)), 0.0, 1.0) * min((square_2 / least), 1.0));
+    float inner = sqrt((max(square_1, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w_1)), 0.0, 1.0) * min((square_1 / least), 1.0));
 }
 
 float disk_filtered_2_(float d_1, float r_1, float w_2) {
     if ((w_2 < 1e-30)) {
         return (((d_1 <= r_1) && true) ? 1.0 : 0.0);
     }
-    float square_3 = (r_1 * r_1);
+    float square_2 = (r_1 * r_1);
     float least_1 = ((w_2 * w_2) / 3.0);
-    float inner_1 = sqrt((max(square_3, least_1) - (0.25 * least_1)));
-    return (clamp((0.5 + ((inner_1 - d_1) / w_2)), 0.0, 1.0) * min((square_3 / least_1), 1.0));
+    float inner_1 = sqrt((max(square_2, least_1) - (0.25 * least_1)));
+    return (clamp((0.5 + ((inner_1 - d_1) / w_2)), 0.0, 1.0) * min((square_2 / least_1), 1.0));
 }
 
 float ink_of_dots(vec2 cell, float share_1, float w_3) {
@@ -276,15 +222,15 @@ float ink_of_dots_2_(vec2 cell_1, float share_2, float w_4) {
     return (((share_2 <= 0.0) || false) ? share_2 : mean_1);
 }
 
-float halftone_dots(float value, vec2 place_2, float lines_2, float angle_5, vec2 viewport_2) {
-    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_5);
+float halftone_dots(float value, vec2 place_1, float lines_1, float angle_3, vec2 viewport_1) {
+    vec2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     vec2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_dots_2_(float value_1, vec2 place_3, float lines_3, float angle_6, vec2 viewport_3) {
-    vec2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_6);
+float halftone_dots_2_(float value_1, vec2 place_2, float lines_2, float angle_4, vec2 viewport_2) {
+    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     vec2 _e6 = footprint_of_vec2_(_e5);
     float _e12 = ink_of_dots_2_(_e5, (1.0 - value_1), max(_e6.x, _e6.y));
     return (1.0 - _e12);
@@ -300,7 +246,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e45 = u_look.key.direction;
     vec3 _e54 = u_look.key.direction;
     Angle turned_from_the_light = Angle((0.5 * length((surface_1.normal - _e45))), (0.5 * length((surface_1.normal + _e54))));
-    float _e62 = profile(turned_from_the_light, 0.0, not_in_deep_shade_shape);
+    float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = (1.0 - _e62);
     float how_much_blue = (deep_shade * 0.62);
     float less = (1.0 - how_much_blue);
@@ -309,8 +255,8 @@ vec4 shade(Surface surface_1) {
     float inked = (1.0 - _e75);
     vec4 blue_over_it = vec4(mix(red_on_yellow.xyz, (red_on_yellow.xyz * vec3(0.24, 0.3, 0.58)), inked), 1.0);
     Light _e90 = u_look.key;
-    Angle _e93 = parametrization_specular(_e90, surface_1.normal, surface_1.view);
-    float _e96 = profile(_e93, 0.0, highlight_shape);
+    Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     vec4 left_free = mix(blue_over_it, vec4(1.0, 0.99, 0.95, 1.0), _e96);
     float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
     float _e111 = eased(facing, 0.3, 0.22);
@@ -322,7 +268,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec2(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -87,7 +87,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const ProfileShape not_in_deep_shade_shape = ConstructProfileShape(0.65243745, 0.75784254, 0.0, 1.0, 1.72, 0.0, 0.0, 1u);
 static const ProfileShape highlight_shape = ConstructProfileShape(0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0, 1u);
 
@@ -112,46 +111,15 @@ float2 sin_cos_quarter(float x)
 {
     float h = (0.5 * x);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    return float2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
 }
 
-float2 sin_cos_eighth(float x_1)
+float3 normalize_seen_balanced(float3 v)
 {
-    float y_1 = (x_1 * x_1);
-    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return float2(s_1, c_1);
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y, float x_2)
-{
-    float small = min(y, x_2);
-    float large = max(y, x_2);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r_2 = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r_2 * r_2);
-    float series = (r_2 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_1 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_2) ? (HALF_PI - a_1) : a_1);
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
 float angle_footprint(Angle u)
@@ -172,99 +140,71 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_2 = (u_1.half_sin - (u_1.half_cos * 0.0));
-    float c_2 = (u_1.half_cos + (u_1.half_sin * 0.0));
-    float2 upper = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_7 = ConstructAngle(turned.x, turned.y);
-    return angle_7;
+    float s_2 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
+    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_5 = ConstructAngle(turned.x, turned.y);
+    return angle_5;
 }
 
-float2 bounded_vec2_(float2 v_2)
+float2 bounded_vec2_(float2 v_1)
 {
-    uint2 bits = asuint(v_2);
+    uint2 bits = asuint(v_1);
     uint2 magnitude = (bits & (2147483647u).xx);
     float2 largest = asfloat(((bits & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude == (2139095040u).xx) ? largest : (0.0).xx);
-    return ((magnitude < (2139095040u).xx) ? v_2 : numbers);
+    return ((magnitude < (2139095040u).xx) ? v_1 : numbers);
 }
 
-float eased(float x_3, float low, float high)
+float eased(float x_1, float low, float high)
 {
-    float t_2 = clamp(((x_3 - low) / (high - low)), 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t_1 = clamp(((x_1 - low) / (high - low)), 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float2 footprint_of_vec2_(float2 v_3)
+float2 footprint_of_vec2_(float2 v_2)
 {
-    float2 dx_1 = ddx(v_3);
-    float2 dy_1 = ddy(v_3);
+    float2 dx_1 = ddx(v_2);
+    float2 dy_1 = ddy(v_2);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
-Angle parametrization_specular(Light light, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal);
-    const Angle angle_8 = ConstructAngle((0.5 * length((_e8 - light.direction))), (0.5 * length((_e8 + light.direction))));
-    return angle_8;
+    float3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_6 = ConstructAngle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
+    return angle_6;
 }
 
-float profile_point(Angle u_2, ProfileShape shape)
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    return (((s_3 <= 0.0) | false) ? 1.0 : ((s_3 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_3, float w, ProfileShape shape_1)
-{
-    const float _e3 = profile_point(u_3, shape_1);
-    if (((false | (w <= 0.0)) | false)) {
-        return _e3;
-    }
     float width = sqrt((w * w));
-    const float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return clamp((0.5 + ((shape_1.offset - (2.0 * _e15)) / width)), 0.0, 1.0);
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_2)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_1)
 {
     const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_2);
-    return _e8;
+    const float _e14 = angle_footprint(_e6);
+    const float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
+    return _e15;
 }
 
 float2 turned_by(float2 p, float angle_1)
 {
-    const float2 _e8 = sin_cos_eighth((((angle_1 - 0.0) - 0.0) - 0.0));
-    float2 turn = clamp(_e8, (-1.0).xx, (1.0).xx);
+    float2 turn = float2(sin(angle_1), cos(angle_1));
     return float2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
 }
 
-float2 turned_by_2_(float2 p_1, float angle_2)
-{
-    const float2 _e8 = sin_cos_quarter((((angle_2 - 0.0) - 0.0) - 0.0));
-    float2 turn_1 = clamp(_e8, (-1.0).xx, (1.0).xx);
-    return float2(((turn_1.y * p_1.x) - (turn_1.x * p_1.y)), ((turn_1.x * p_1.x) + (turn_1.y * p_1.y)));
-}
-
-float2 screen_cells(float2 place, float2 viewport, float lines, float angle_3)
+float2 screen_cells(float2 place, float2 viewport, float lines, float angle_2)
 {
     float2 most = (4194304.0).xx;
     const float2 _e6 = bounded_vec2_(place);
     const float2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport.y, 1.0))));
-    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_3);
+    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_2);
     return clamp(_e17, (-4194304.0).xx, most);
-}
-
-float2 screen_cells_2_(float2 place_1, float2 viewport_1, float lines_1, float angle_4)
-{
-    float2 most_1 = (4194304.0).xx;
-    const float2 _e6 = bounded_vec2_(place_1);
-    const float2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport_1.y, 1.0))));
-    const float2 _e17 = turned_by_2_(clamp(_e13, (-4194304.0).xx, most_1), angle_4);
-    return clamp(_e17, (-4194304.0).xx, most_1);
 }
 
 float dot_radius(float share)
@@ -275,8 +215,8 @@ float dot_radius(float share)
     if ((share <= 0.7853982)) {
         return sqrt((share * 0.31830987));
     }
-    float s_4 = ((share - 0.7853982) / 0.21460183);
-    a = lerp((0.5227232 * sqrt(s_4)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_4)))), s_4);
+    float s_3 = ((share - 0.7853982) / 0.21460183);
+    a = lerp((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
@@ -294,12 +234,12 @@ float dot_radius(float share)
         float _e28 = a;
         const float2 _e32 = sin_cos_quarter(clamp(_e28, 0.0, 0.7853982));
         float tangent = (_e32.x / _e32.y);
-        float square_1 = (1.0 / (_e32.y * _e32.y));
+        float square = (1.0 / (_e32.y * _e32.y));
         float _e41 = a;
         float sector = (0.7853982 - _e41);
-        float slope = (((2.0 * sector) * square_1) * tangent);
+        float slope = (((2.0 * sector) * square) * tangent);
         float _e48 = a;
-        a = clamp((_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
+        a = clamp((_e48 - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
     }
     float _e64 = a;
     const float2 _e65 = sin_cos_quarter(_e64);
@@ -311,10 +251,10 @@ float disk_filtered(float d, float r, float w_1)
     if ((w_1 < 1e-30)) {
         return (((d <= r) & (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square_2 = (r * r);
+    float square_1 = (r * r);
     float least = ((w_1 * w_1) / 3.0);
-    float inner = sqrt((max(square_2, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w_1)), 0.0, 1.0) * min((square_2 / least), 1.0));
+    float inner = sqrt((max(square_1, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w_1)), 0.0, 1.0) * min((square_1 / least), 1.0));
 }
 
 float disk_filtered_2_(float d_1, float r_1, float w_2)
@@ -322,10 +262,10 @@ float disk_filtered_2_(float d_1, float r_1, float w_2)
     if ((w_2 < 1e-30)) {
         return (((d_1 <= r_1) & true) ? 1.0 : 0.0);
     }
-    float square_3 = (r_1 * r_1);
+    float square_2 = (r_1 * r_1);
     float least_1 = ((w_2 * w_2) / 3.0);
-    float inner_1 = sqrt((max(square_3, least_1) - (0.25 * least_1)));
-    return (clamp((0.5 + ((inner_1 - d_1) / w_2)), 0.0, 1.0) * min((square_3 / least_1), 1.0));
+    float inner_1 = sqrt((max(square_2, least_1) - (0.25 * least_1)));
+    return (clamp((0.5 + ((inner_1 - d_1) / w_2)), 0.0, 1.0) * min((square_2 / least_1), 1.0));
 }
 
 float ink_of_dots(float2 cell, float share_1, float w_3)
@@ -367,17 +307,17 @@ float ink_of_dots_2_(float2 cell_1, float share_2, float w_4)
     return (((share_2 <= 0.0) | false) ? share_2 : mean_1);
 }
 
-float halftone_dots(float value, float2 place_2, float lines_2, float angle_5, float2 viewport_2)
+float halftone_dots(float value, float2 place_1, float lines_1, float angle_3, float2 viewport_1)
 {
-    const float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_5);
+    const float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     const float2 _e6 = footprint_of_vec2_(_e5);
     const float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_dots_2_(float value_1, float2 place_3, float lines_3, float angle_6, float2 viewport_3)
+float halftone_dots_2_(float value_1, float2 place_2, float lines_2, float angle_4, float2 viewport_2)
 {
-    const float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_6);
+    const float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     const float2 _e6 = footprint_of_vec2_(_e5);
     const float _e12 = ink_of_dots_2_(_e5, (1.0 - value_1), max(_e6.x, _e6.y));
     return (1.0 - _e12);
@@ -394,7 +334,7 @@ float4 shade(Surface surface_1)
     float3 _e45 = look.key.direction;
     float3 _e54 = look.key.direction;
     Angle turned_from_the_light = ConstructAngle((0.5 * length((surface_1.normal - _e45))), (0.5 * length((surface_1.normal + _e54))));
-    const float _e62 = profile(turned_from_the_light, 0.0, not_in_deep_shade_shape);
+    const float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = (1.0 - _e62);
     float how_much_blue = (deep_shade * 0.62);
     float less = (1.0 - how_much_blue);
@@ -403,8 +343,8 @@ float4 shade(Surface surface_1)
     float inked = (1.0 - _e75);
     float4 blue_over_it = float4(lerp(red_on_yellow.xyz, (red_on_yellow.xyz * float3(0.24, 0.3, 0.58)), inked), 1.0);
     Light _e90 = look.key;
-    const Angle _e93 = parametrization_specular(_e90, surface_1.normal, surface_1.view);
-    const float _e96 = profile(_e93, 0.0, highlight_shape);
+    const Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    const float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     float4 left_free = lerp(blue_over_it, float4(1.0, 0.99, 0.95, 1.0), _e96);
     float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
     const float _e111 = eased(facing, 0.3, 0.22);
@@ -435,7 +375,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

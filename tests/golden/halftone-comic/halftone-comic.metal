@@ -63,7 +63,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant ProfileShape not_in_deep_shade_shape = ProfileShape {0.65243745, 0.75784254, 0.0, 1.0, 1.72, 0.0, 0.0, 1u};
 constant ProfileShape highlight_shape = ProfileShape {0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0, 1u};
 
@@ -72,52 +71,16 @@ metal::float2 sin_cos_quarter(
 ) {
     float h = 0.5 * x;
     float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
+    float s_1 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2((2.0 * s_1) * c, 1.0 - ((2.0 * s_1) * s_1));
 }
 
-metal::float2 sin_cos_eighth(
-    float x_1
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float y_1 = x_1 * x_1;
-    float s_1 = x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 0.0000027557319))))))));
-    float c_1 = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-0.000024801588 + (y_1 * 0.0000002755732)))))))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y,
-    float x_2
-) {
-    float small = metal::min(y, x_2);
-    float large = metal::max(y, x_2);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r_2 = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r_2 * r_2;
-    float series = r_2 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_1 = is_wide ? (series + 0.7853982) : series;
-    return (y > x_2) ? (HALF_PI - a_1) : a_1;
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 float angle_footprint(
@@ -134,125 +97,89 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - (u_1.half_cos * 0.0);
-    float c_2 = u_1.half_cos + (u_1.half_sin * 0.0);
-    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
+    float s_2 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_2
+    metal::float2 v_1
 ) {
-    metal::uint2 bits = as_type<metal::uint2>(v_2);
+    metal::uint2 bits = as_type<metal::uint2>(v_1);
     metal::uint2 magnitude = bits & metal::uint2(2147483647u);
     metal::float2 largest = as_type<metal::float2>((bits & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest, magnitude == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude < metal::uint2(2139095040u));
+    return metal::select(numbers, v_1, magnitude < metal::uint2(2139095040u));
 }
 
 float eased(
-    float x_3,
+    float x_1,
     float low,
     float high
 ) {
-    float t_2 = metal::clamp((x_3 - low) / (high - low), 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float t_1 = metal::clamp((x_1 - low) / (high - low), 0.0, 1.0);
+    return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
 
 metal::float2 footprint_of_vec2_(
-    metal::float2 v_3
+    metal::float2 v_2
 ) {
-    metal::float2 dx_1 = metal::dfdx(v_3);
-    metal::float2 dy_1 = metal::dfdy(v_3);
+    metal::float2 dx_1 = metal::dfdx(v_2);
+    metal::float2 dy_1 = metal::dfdy(v_2);
     return metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1));
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light,
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle {0.5 * metal::length(_e8 - light.direction), 0.5 * metal::length(_e8 + light.direction)};
+    metal::float3 d_2 = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d_2 - light.direction), 0.5 * metal::length(d_2 + light.direction)};
 }
 
-float profile_point(
-    Angle u_2,
+float profile_ramp_quick(
+    float s,
+    float w,
     ProfileShape shape
 ) {
-    float s_3 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
-    return ((s_3 <= 0.0) | false) ? 1.0 : ((s_3 <= 0.0000004) ? 1.0 : 0.0);
-}
-
-float profile_filtered(
-    Angle u_3,
-    float w,
-    ProfileShape shape_1
-) {
-    float _e3 = profile_point(u_3, shape_1);
-    if ((false | (w <= 0.0)) | false) {
-        return _e3;
-    }
     float width = metal::sqrt(w * w);
-    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return metal::clamp(0.5 + ((shape_1.offset - (2.0 * _e15)) / width), 0.0, 1.0);
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape_1
 ) {
     Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset), _e14, shape_1);
+    return _e15;
 }
 
 metal::float2 turned_by(
     metal::float2 p,
     float angle_1
 ) {
-    metal::float2 _e8 = sin_cos_eighth(((angle_1 - 0.0) - 0.0) - 0.0);
-    metal::float2 turn = metal::clamp(_e8, metal::float2(-1.0), metal::float2(1.0));
+    metal::float2 turn = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
     return metal::float2((turn.y * p.x) - (turn.x * p.y), (turn.x * p.x) + (turn.y * p.y));
-}
-
-metal::float2 turned_by_2_(
-    metal::float2 p_1,
-    float angle_2
-) {
-    metal::float2 _e8 = sin_cos_quarter(((angle_2 - 0.0) - 0.0) - 0.0);
-    metal::float2 turn_1 = metal::clamp(_e8, metal::float2(-1.0), metal::float2(1.0));
-    return metal::float2((turn_1.y * p_1.x) - (turn_1.x * p_1.y), (turn_1.x * p_1.x) + (turn_1.y * p_1.y));
 }
 
 metal::float2 screen_cells(
     metal::float2 place,
     metal::float2 viewport,
     float lines,
-    float angle_3
+    float angle_2
 ) {
     metal::float2 most = metal::float2(4194304.0);
     metal::float2 _e6 = bounded_vec2_(place);
     metal::float2 _e13 = bounded_vec2_(_e6 * (78.0 / metal::max(viewport.y, 1.0)));
-    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_3);
+    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_2);
     return metal::clamp(_e17, metal::float2(-4194304.0), most);
-}
-
-metal::float2 screen_cells_2_(
-    metal::float2 place_1,
-    metal::float2 viewport_1,
-    float lines_1,
-    float angle_4
-) {
-    metal::float2 most_1 = metal::float2(4194304.0);
-    metal::float2 _e6 = bounded_vec2_(place_1);
-    metal::float2 _e13 = bounded_vec2_(_e6 * (78.0 / metal::max(viewport_1.y, 1.0)));
-    metal::float2 _e17 = turned_by_2_(metal::clamp(_e13, metal::float2(-4194304.0), most_1), angle_4);
-    return metal::clamp(_e17, metal::float2(-4194304.0), most_1);
 }
 
 float dot_radius(
@@ -263,8 +190,8 @@ float dot_radius(
     if (share <= 0.7853982) {
         return metal::sqrt(share * 0.31830987);
     }
-    float s_4 = (share - 0.7853982) / 0.21460183;
-    a = metal::mix(0.5227232 * metal::sqrt(s_4), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s_4)), s_4);
+    float s_3 = (share - 0.7853982) / 0.21460183;
+    a = metal::mix(0.5227232 * metal::sqrt(s_3), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s_3)), s_3);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
@@ -282,12 +209,12 @@ float dot_radius(
         float _e28 = a;
         metal::float2 _e32 = sin_cos_quarter(metal::clamp(_e28, 0.0, 0.7853982));
         float tangent = _e32.x / _e32.y;
-        float square_1 = 1.0 / (_e32.y * _e32.y);
+        float square = 1.0 / (_e32.y * _e32.y);
         float _e41 = a;
         float sector = 0.7853982 - _e41;
-        float slope = ((2.0 * sector) * square_1) * tangent;
+        float slope = ((2.0 * sector) * square) * tangent;
         float _e48 = a;
-        a = metal::clamp(_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share) / slope) : 0.0), 0.0, 0.7853982);
+        a = metal::clamp(_e48 - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0), 0.0, 0.7853982);
     }
     float _e64 = a;
     metal::float2 _e65 = sin_cos_quarter(_e64);
@@ -302,10 +229,10 @@ float disk_filtered(
     if (w_1 < 0.000000000000000000000000000001) {
         return ((d <= r) & (r > 0.0)) ? 1.0 : 0.0;
     }
-    float square_2 = r * r;
+    float square_1 = r * r;
     float least = (w_1 * w_1) / 3.0;
-    float inner = metal::sqrt(metal::max(square_2, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w_1), 0.0, 1.0) * metal::min(square_2 / least, 1.0);
+    float inner = metal::sqrt(metal::max(square_1, least) - (0.25 * least));
+    return metal::clamp(0.5 + ((inner - d) / w_1), 0.0, 1.0) * metal::min(square_1 / least, 1.0);
 }
 
 float disk_filtered_2_(
@@ -316,10 +243,10 @@ float disk_filtered_2_(
     if (w_2 < 0.000000000000000000000000000001) {
         return ((d_1 <= r_1) & true) ? 1.0 : 0.0;
     }
-    float square_3 = r_1 * r_1;
+    float square_2 = r_1 * r_1;
     float least_1 = (w_2 * w_2) / 3.0;
-    float inner_1 = metal::sqrt(metal::max(square_3, least_1) - (0.25 * least_1));
-    return metal::clamp(0.5 + ((inner_1 - d_1) / w_2), 0.0, 1.0) * metal::min(square_3 / least_1, 1.0);
+    float inner_1 = metal::sqrt(metal::max(square_2, least_1) - (0.25 * least_1));
+    return metal::clamp(0.5 + ((inner_1 - d_1) / w_2), 0.0, 1.0) * metal::min(square_2 / least_1, 1.0);
 }
 
 float ink_of_dots(
@@ -367,12 +294,12 @@ float ink_of_dots_2_(
 
 float halftone_dots(
     float value,
-    metal::float2 place_2,
-    float lines_2,
-    float angle_5,
-    metal::float2 viewport_2
+    metal::float2 place_1,
+    float lines_1,
+    float angle_3,
+    metal::float2 viewport_1
 ) {
-    metal::float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_5);
+    metal::float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     metal::float2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots(_e5, 1.0 - metal::min(value, 1.0), metal::max(_e6.x, _e6.y));
     return 1.0 - _e14;
@@ -380,12 +307,12 @@ float halftone_dots(
 
 float halftone_dots_2_(
     float value_1,
-    metal::float2 place_3,
-    float lines_3,
-    float angle_6,
-    metal::float2 viewport_3
+    metal::float2 place_2,
+    float lines_2,
+    float angle_4,
+    metal::float2 viewport_2
 ) {
-    metal::float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_6);
+    metal::float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     metal::float2 _e6 = footprint_of_vec2_(_e5);
     float _e12 = ink_of_dots_2_(_e5, 1.0 - value_1, metal::max(_e6.x, _e6.y));
     return 1.0 - _e12;
@@ -404,7 +331,7 @@ metal::float4 shade(
     metal::float3 _e45 = look.key.direction;
     metal::float3 _e54 = look.key.direction;
     Angle turned_from_the_light = Angle {0.5 * metal::length(surface_1.normal - _e45), 0.5 * metal::length(surface_1.normal + _e54)};
-    float _e62 = profile(turned_from_the_light, 0.0, not_in_deep_shade_shape);
+    float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = 1.0 - _e62;
     float how_much_blue = deep_shade * 0.62;
     float less = 1.0 - how_much_blue;
@@ -413,8 +340,8 @@ metal::float4 shade(
     float inked = 1.0 - _e75;
     metal::float4 blue_over_it = metal::float4(metal::mix(red_on_yellow.xyz, red_on_yellow.xyz * metal::float3(0.24, 0.3, 0.58), inked), 1.0);
     Light _e90 = look.key;
-    Angle _e93 = parametrization_specular(_e90, surface_1.normal, surface_1.view);
-    float _e96 = profile(_e93, 0.0, highlight_shape);
+    Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     metal::float4 left_free = metal::mix(blue_over_it, metal::float4(1.0, 0.99, 0.95, 1.0), _e96);
     float facing = metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0);
     float _e111 = eased(facing, 0.3, 0.22);
@@ -467,7 +394,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

@@ -59,7 +59,6 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
@@ -78,48 +77,10 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
-    return vec2f(s, c);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -134,10 +95,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin - u.half_cos * 0.0;
-    let c = u.half_cos + u.half_sin * 0.0;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -164,9 +124,8 @@ fn footprint_of_vec2(v: vec2f) -> vec2f {
     return sqrt(dx * dx + dy * dy);
 }
 
-fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let mirrored = 2.0 * dot(normal, view) * normal - view;
-    let d = normalize_moderate(mirrored, normal);
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let d = 2.0 * dot(normal, view) * normal - view;
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -189,46 +148,24 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    if false | (w <= 0.0) | false {
-        return point;
-    }
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     let width = sqrt(w * w);
-    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
-        1.0);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint(warped), shape);
 }
 
 /// p turned by an angle in radians, from x to y.
 fn turned_by(p: vec2f, angle: f32) -> vec2f {
-    let turn = clamp(sin_cos_eighth(angle - 0.0 - 0.0 - 0.0), vec2f(-1.0), vec2f(1.0));
-    return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
-}
-
-/// p turned by an angle in radians, from x to y.
-fn turned_by_2(p: vec2f, angle: f32) -> vec2f {
-    let turn = clamp(sin_cos_quarter(angle - 0.0 - 0.0 - 0.0), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
@@ -238,15 +175,6 @@ fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f 
     let most = vec2f(4194304.0);
     let upright = bounded_vec2(bounded_vec2(place) * (78.0 / max(viewport.y, 1.0)));
     return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
-        most);
-}
-
-/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
-/// and is turned by an angle in radians.
-fn screen_cells_2(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
-    let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (78.0 / max(viewport.y, 1.0)));
-    return clamp(turned_by_2(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
         most);
 }
 
@@ -353,7 +281,7 @@ fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots_2(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_2(place, viewport, lines, angle);
+    let cell = screen_cells(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots_2(cell, 1.0 - value, max(w.x, w.y));
 }
@@ -368,15 +296,15 @@ fn shade(surface: Surface) -> vec4f {
     let red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, look.viewport);
     let red_on_yellow = mix(vec4f(0.91, 0.3, 0.24, 1.0), vec4f(1.0, 0.87, 0.58, 1.0), red_dots);
     let turned_from_the_light = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let not_in_deep_shade = profile(turned_from_the_light, 0.0, not_in_deep_shade_shape);
+    let not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     let deep_shade = 1.0 - not_in_deep_shade;
     let how_much_blue = deep_shade * 0.62;
     let less = 1.0 - how_much_blue;
     let blue_dots = halftone_dots_2(less, surface.pixel, 78.0, 1.3089969, look.viewport);
     let inked = 1.0 - blue_dots;
     let blue_over_it = vec4f(mix(red_on_yellow.xyz, red_on_yellow.xyz * vec4f(0.24, 0.3, 0.58, 1.0).xyz, inked), 1.0);
-    let mirrored = parametrization_specular(look.key, surface.normal, surface.view);
-    let highlight = profile(mirrored, 0.0, highlight_shape);
+    let mirrored = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    let highlight = profile_balanced(mirrored, 0.0, highlight_shape);
     let left_free = mix(blue_over_it, vec4f(1.0, 0.99, 0.95, 1.0), highlight);
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let contour = eased(facing, 0.3, 0.22);
@@ -408,7 +336,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

@@ -25,7 +25,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 
 layout(std140) uniform ViewBlock { View u_view; };

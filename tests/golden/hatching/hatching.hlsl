@@ -100,7 +100,6 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-static const float HALF_PI = 1.5707964;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 
 cbuffer view_4 : register(b0) { View view_4; }
@@ -158,30 +157,11 @@ float exp2_stable(float x_1)
 float log2_stable(float x_2)
 {
     uint bits = asuint(x_2);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float2 sin_cos_quarter(float x_3)
-{
-    float h = (0.5 * x_3);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-float2 sin_cos(float x_4)
-{
-    float turns = round((x_4 * 0.31830987));
-    float r = (((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
@@ -196,12 +176,12 @@ float3 normalize_seen(float3 v_2)
     return _e5;
 }
 
-float bounded(float x_5)
+float bounded(float x_3)
 {
-    uint bits_1 = asuint(x_5);
+    uint bits_1 = asuint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float3 bounded_vec3_(float3 v_3)
@@ -222,32 +202,16 @@ float divided(float a, float b)
     return _e7;
 }
 
-float powered(float base, float exponent)
+float eased(float x_4, float low, float high)
 {
-    float magnitude_2 = abs(base);
-    const float _e5 = log2_stable(max(magnitude_2, SMALLEST_NORMAL));
-    const float _e8 = exp2_stable((0.75 * _e5));
-    return ((magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e8);
-}
-
-float powered_2_(float base_1, float exponent_1)
-{
-    float magnitude_3 = abs(base_1);
-    const float _e5 = log2_stable(max(magnitude_3, SMALLEST_NORMAL));
-    const float _e8 = exp2_stable((0.25 * _e5));
-    return ((magnitude_3 < SMALLEST_NORMAL) ? 0.0 : _e8);
-}
-
-float eased(float x_6, float low, float high)
-{
-    float t_1 = clamp(((x_6 - low) / (high - low)), 0.0, 1.0);
+    float t_1 = clamp(((x_4 - low) / (high - low)), 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_5)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_5);
+    float _e2 = ddy(x_5);
     float2 d = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
@@ -431,8 +395,8 @@ SpacedPlace spaced(float2 place_2, float3 stretch, float2 viewport, float count)
     float scale_1 = (is_pixel ? (120.0 / max(viewport.y, 1.0)) : 120.0);
     float2 p_1 = clamp((place_2 * scale_1), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch);
-    float3 s_1 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    float3 s = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
     return spacedplace;
 }
 
@@ -443,11 +407,11 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_8, int zoom, Strokes style)
+Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
 {
     const uint3 _e14 = hash_pcg3d((asuint(int3(line_, int(1048576))) + (style.seed * uint3(2654435769u, 2246822507u, 3266489909u))));
     float3 own_1 = (float3((_e14 >> (8u).xxx)) * 5.9604645e-8);
-    float along_2 = (clamp(((x_8 * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
+    float along_2 = (clamp(((x_6 * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
     float index = floor(along_2);
     const uint3 _e48 = hash_pcg3d((asuint(int3(line_, naga_f2i32(index))) + ((style.seed + asuint(zoom)) * uint3(2654435769u, 2246822507u, 3266489909u))));
     float3 chance = (float3((_e48 >> (8u).xxx)) * 5.9604645e-8);
@@ -457,11 +421,11 @@ Stroke stroke_at(int2 line_, float x_8, int zoom, Strokes style)
     return stroke;
 }
 
-Stroke stroke_between(int2 line_1, float x_9, float level, Strokes style_1)
+Stroke stroke_between(int2 line_1, float x_7, float level, Strokes style_1)
 {
     float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_9, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_9, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
+    const Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
+    const Stroke _e10 = stroke_at(line_1, x_7, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
     float f_2 = (level - zoom_2);
     const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_2), lerp(_e6.profile, _e10.profile, f_2));
     return stroke_1;
@@ -502,15 +466,14 @@ float hatched(float2 place_4, float w_1, float level_1, float ink, Strokes style
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    const float _e10 = powered(ink, 0.75);
-    const float _e13 = powered_2_(ink, 0.25);
-    float width = (style_2.width * _e13);
+    float number = pow(ink, 0.75);
+    float width = (style_2.width * pow(ink, 0.25));
     float zoom_3 = floor(level_1);
     const float _e18 = stray_at(place_4, naga_f2i32(zoom_3), style_2.seed);
     const float _e23 = stray_at(place_4, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), style_2.seed);
     float stray = lerp(_e18, _e23, (level_1 - zoom_3));
     float across_3 = (place_4.y + (style_2.wobble * stray));
-    const float _e32 = log2_stable(max(_e10, 1e-9));
+    const float _e32 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e32), -40.0);
     float octave_1 = floor(density);
     const float _e38 = exp2_stable((density - octave_1));
@@ -538,7 +501,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     int i_1 = int(0);
     float free = 1.0;
 
-    float2 x_11 = ddx(at.place);
+    float2 x_9 = ddx(at.place);
     float2 y = ddy(at.place);
     float amount = (ink_1 * 3.0);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
@@ -547,8 +510,8 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
         if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e97 = i_1;
-            i_1 = asint(asuint(_e97) + asuint(int(1)));
+            int _e94 = i_1;
+            i_1 = asint(asuint(_e94) + asuint(int(1)));
         }
         loop_init_1 = false;
         int _e16 = i_1;
@@ -558,27 +521,27 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
         int _e20 = i_1;
         if ((_e20 < int(3))) {
             int _e23 = i_1;
-            const float2 _e26 = sin_cos((float(_e23) * cross_));
-            float2 turn_1 = clamp(_e26, (-1.0).xx, (1.0).xx);
+            float x_2_ = (float(_e23) * cross_);
+            float2 turn_1 = float2(sin(x_2_), cos(x_2_));
             float2 along_3 = float2(turn_1.y, turn_1.x);
             float2 across_4 = float2(-(turn_1.x), turn_1.y);
-            float w_2 = length(float2(dot(across_4, x_11), dot(across_4, y)));
+            float w_2 = length(float2(dot(across_4, x_9), dot(across_4, y)));
             float square_3 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            const float _e67 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
-            float level_2 = clamp((-0.5 * _e67), -16.0, 16.0);
+            const float _e64 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            float level_2 = clamp((-0.5 * _e64), -16.0, 16.0);
             float2 place_6 = float2(dot(along_3, at.place), dot(across_4, at.place));
             own = style_3;
-            int _e81 = i_1;
-            own.seed = (4u + (101u * uint(_e81)));
-            float _e85 = free;
-            int _e86 = i_1;
-            Strokes _e92 = own;
-            const float _e93 = hatched(place_6, w_2, level_2, clamp((amount - float(_e86)), 0.0, 1.0), _e92);
-            free = (_e85 * (1.0 - _e93));
+            int _e78 = i_1;
+            own.seed = (4u + (101u * uint(_e78)));
+            float _e82 = free;
+            int _e83 = i_1;
+            Strokes _e89 = own;
+            const float _e90 = hatched(place_6, w_2, level_2, clamp((amount - float(_e83)), 0.0, 1.0), _e89);
+            free = (_e82 * (1.0 - _e90));
         }
     }
-    float _e100 = free;
-    return (1.0 - _e100);
+    float _e97 = free;
+    return (1.0 - _e97);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -596,11 +559,11 @@ MarkPlace mark_place_light(Light light, float3 normal_3, float angle_3, float3 v
     return markplace;
 }
 
-float faded_in(float x_10, float limit, float softness)
+float faded_in(float x_8, float limit, float softness)
 {
-    const float _e3 = footprint_of(x_10);
+    const float _e3 = footprint_of(x_8);
     float width_1 = length(float2(min(_e3, 1000000000000000.0), (75.0 * softness)));
-    const float _e10 = bounded(x_10);
+    const float _e10 = bounded(x_8);
     const float _e13 = bounded((_e10 - 75.0));
     return clamp((0.5 + (_e13 / width_1)), 0.0, 1.0);
 }

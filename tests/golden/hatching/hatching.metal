@@ -79,7 +79,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
 bool is_finite(
@@ -122,32 +121,11 @@ float log2_stable(
     float x_2
 ) {
     uint bits = as_type<uint>(x_2);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
+    int exponent = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-metal::float2 sin_cos_quarter(
-    float x_3
-) {
-    float h = 0.5 * x_3;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
-}
-
-metal::float2 sin_cos(
-    float x_4
-) {
-    float turns = metal::rint(x_4 * 0.31830987);
-    float r = ((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
-    metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
-    return sign * _e27;
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 metal::float3 normalize_moderate(
@@ -166,12 +144,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_5
+    float x_3
 ) {
-    uint bits_1 = as_type<uint>(x_5);
+    uint bits_1 = as_type<uint>(x_3);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float3 bounded_vec3_(
@@ -195,40 +173,20 @@ float divided(
     return _e7;
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude_2 = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude_2, SMALLEST_NORMAL));
-    float _e8 = exp2_stable(0.75 * _e5);
-    return (magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e8;
-}
-
-float powered_2_(
-    float base_1,
-    float exponent_1
-) {
-    float magnitude_3 = metal::abs(base_1);
-    float _e5 = log2_stable(metal::max(magnitude_3, SMALLEST_NORMAL));
-    float _e8 = exp2_stable(0.25 * _e5);
-    return (magnitude_3 < SMALLEST_NORMAL) ? 0.0 : _e8;
-}
-
 float eased(
-    float x_6,
+    float x_4,
     float low,
     float high
 ) {
-    float t_1 = metal::clamp((x_6 - low) / (high - low), 0.0, 1.0);
+    float t_1 = metal::clamp((x_4 - low) / (high - low), 0.0, 1.0);
     return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
 
 float footprint_of(
-    float x_7
+    float x_5
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_5);
+    float _e2 = metal::dfdy(x_5);
     metal::float2 d = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
     return _e6;
@@ -429,19 +387,19 @@ SpacedPlace spaced(
     float scale_1 = is_pixel ? (120.0 / metal::max(viewport.y, 1.0)) : 120.0;
     metal::float2 p_1 = metal::clamp(place_2 * scale_1, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch);
-    metal::float3 s_1 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    metal::float3 s = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_8,
+    float x_6,
     int zoom,
     Strokes style
 ) {
     metal::uint3 _e14 = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576)) + (style.seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
     metal::float3 own_1 = static_cast<metal::float3>(_e14 >> metal::uint3(8u)) * 0.000000059604645;
-    float along_2 = metal::clamp((x_8 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u)) / 24.0, -1000000.0, 1000000.0) + own_1.x;
+    float along_2 = metal::clamp((x_6 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u)) / 24.0, -1000000.0, 1000000.0) + own_1.x;
     float index = metal::floor(along_2);
     metal::uint3 _e48 = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, naga_f2i32(index))) + ((style.seed + as_type<uint>(zoom)) * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
     metal::float3 chance = static_cast<metal::float3>(_e48 >> metal::uint3(8u)) * 0.000000059604645;
@@ -452,13 +410,13 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_9,
+    float x_7,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_9, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_9, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_7, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
     float f_2 = level - zoom_2;
     return Stroke {metal::mix(_e6.turn, _e10.turn, f_2), metal::mix(_e6.profile, _e10.profile, f_2)};
 }
@@ -511,15 +469,14 @@ float hatched(
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    float _e10 = powered(ink, 0.75);
-    float _e13 = powered_2_(ink, 0.25);
-    float width = style_2.width * _e13;
+    float number = metal::pow(ink, 0.75);
+    float width = style_2.width * metal::pow(ink, 0.25);
     float zoom_3 = metal::floor(level_1);
     float _e18 = stray_at(place_4, naga_f2i32(zoom_3), style_2.seed);
     float _e23 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), style_2.seed);
     float stray = metal::mix(_e18, _e23, level_1 - zoom_3);
     float across_3 = place_4.y + (style_2.wobble * stray);
-    float _e32 = log2_stable(metal::max(_e10, 0.000000001));
+    float _e32 = log2_stable(metal::max(number, 0.000000001));
     float density = metal::max(level_1 + _e32, -40.0);
     float octave_1 = metal::floor(density);
     float _e38 = exp2_stable(density - octave_1);
@@ -551,7 +508,7 @@ float cross_hatched(
     Strokes own = {};
     int i_1 = 0;
     float free = 1.0;
-    metal::float2 x_11 = metal::dfdx(at.place);
+    metal::float2 x_9 = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     float amount = ink_1 * 3.0;
     uint2 loop_bound_1 = uint2(4294967295u);
@@ -560,8 +517,8 @@ float cross_hatched(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e97 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e97) + as_type<uint>(1));
+            int _e94 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e94) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e16 = i_1;
@@ -571,27 +528,27 @@ float cross_hatched(
         int _e20 = i_1;
         if (_e20 < 3) {
             int _e23 = i_1;
-            metal::float2 _e26 = sin_cos(static_cast<float>(_e23) * cross);
-            metal::float2 turn_1 = metal::clamp(_e26, metal::float2(-1.0), metal::float2(1.0));
+            float x_2_ = static_cast<float>(_e23) * cross;
+            metal::float2 turn_1 = metal::float2(metal::sin(x_2_), metal::cos(x_2_));
             metal::float2 along_3 = metal::float2(turn_1.y, turn_1.x);
             metal::float2 across_4 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_2 = metal::length(metal::float2(metal::dot(across_4, x_11), metal::dot(across_4, y)));
+            float w_2 = metal::length(metal::float2(metal::dot(across_4, x_9), metal::dot(across_4, y)));
             float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
-            float _e67 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
-            float level_2 = metal::clamp(-0.5 * _e67, -16.0, 16.0);
+            float _e64 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            float level_2 = metal::clamp(-0.5 * _e64, -16.0, 16.0);
             metal::float2 place_6 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_4, at.place));
             own = style_3;
-            int _e81 = i_1;
-            own.seed = 4u + (101u * static_cast<uint>(_e81));
-            float _e85 = free;
-            int _e86 = i_1;
-            Strokes _e92 = own;
-            float _e93 = hatched(place_6, w_2, level_2, metal::clamp(amount - static_cast<float>(_e86), 0.0, 1.0), _e92);
-            free = _e85 * (1.0 - _e93);
+            int _e78 = i_1;
+            own.seed = 4u + (101u * static_cast<uint>(_e78));
+            float _e82 = free;
+            int _e83 = i_1;
+            Strokes _e89 = own;
+            float _e90 = hatched(place_6, w_2, level_2, metal::clamp(amount - static_cast<float>(_e83), 0.0, 1.0), _e89);
+            free = _e82 * (1.0 - _e90);
         }
     }
-    float _e100 = free;
-    return 1.0 - _e100;
+    float _e97 = free;
+    return 1.0 - _e97;
 }
 
 MarkPlace mark_place_light(
@@ -609,13 +566,13 @@ MarkPlace mark_place_light(
 }
 
 float faded_in(
-    float x_10,
+    float x_8,
     float limit,
     float softness
 ) {
-    float _e3 = footprint_of(x_10);
+    float _e3 = footprint_of(x_8);
     float width_1 = metal::length(metal::float2(metal::min(_e3, 1000000000000000.0), 75.0 * softness));
-    float _e10 = bounded(x_10);
+    float _e10 = bounded(x_8);
     float _e13 = bounded(_e10 - 75.0);
     return metal::clamp(0.5 + (_e13 / width_1), 0.0, 1.0);
 }

@@ -52,7 +52,6 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -99,35 +98,6 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
-}
-
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
-/// quarter turn.
-fn sin_cos(x: f32) -> vec2f {
-    let turns = round(x * 0.318309886183790672);
-    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
-    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
-    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -166,24 +136,6 @@ fn divided(a: f32, b: f32) -> f32 {
         return 0.0;
     }
     return bounded(a / b);
-}
-
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable(0.75 * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
-}
-
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered_2(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable(0.25 * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -417,8 +369,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
     }
-    let number = powered(ink, 0.75);
-    let width = style.width * powered_2(ink, 0.25);
+    let number = pow(ink, 0.75);
+    let width = style.width * pow(ink, 0.25);
     let zoom = floor(level);
     let stray = mix(stray_at(place, i32(zoom), style.seed), stray_at(place, i32(zoom) + 1,
         style.seed), level - zoom);
@@ -464,7 +416,8 @@ fn cross_hatched(at: SpacedPlace, ink: f32, layers: i32, cross: f32, style: Stro
             break;
         }
         if i < 3i {
-            let turn = clamp(sin_cos(f32(i) * cross), vec2f(-1.0), vec2f(1.0));
+            let x_2 = f32(i) * cross;
+            let turn = vec2f(sin(x_2), cos(x_2));
             let along = vec2f(turn.y, turn.x);
             let across = vec2f(-turn.x, turn.y);
             let w = length(vec2f(dot(across, x), dot(across, y)));

@@ -33,7 +33,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);

@@ -55,7 +55,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
@@ -88,101 +87,59 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_3) {
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_2) {
+    return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_4) {
-    float small = min(y_1, x_4);
-    float large = max(y_1, x_4);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_4) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_3 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_1.half_cos));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c));
+    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < c)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
-float footprint_of(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float footprint_of(float x_1) {
+    float _e1 = dFdx(x_1);
+    float _e2 = dFdy(x_1);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
 vec3 any_orthogonal(vec3 n) {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_ + n.z));
-    return vec3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+    float a = (-1.0 / (sign_ + n.z));
+    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
-    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
+    vec3 y_1 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_1, vec2(dot(direction, x_axis), dot(direction, y_1)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -216,79 +173,56 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_1 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    return (((s_4 <= 0.0) || false) ? 1.0 : ((s_4 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    if (((false || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
     float width_2 = sqrt((w_1 * w_1));
-    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2)), 0.0, 1.0);
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3) {
+    vec2 place = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_2);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+}
+
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
 float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
@@ -300,8 +234,7 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
-    float side = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    float side = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -309,24 +242,24 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
     Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 shadow = vec4((vec3(0.62, 0.16, 0.26) * mix(vec3(1.0), vec3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
     vec3 normal_1 = surface_1.normal;
     Light _e42 = u_look.key;
     vec3 _e44 = half_vector(_e42, surface_1.view);
     Angle from_the_highlight = Angle((0.5 * length((normal_1 - _e44))), (0.5 * length((normal_1 + _e44))));
-    float _e56 = profile_2_(from_the_highlight, 0.0, disc_shape);
+    float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
     AxesAround _e61 = axes(_e44, vec3(0.0, 1.0, 0.0));
     DirectionParts _e64 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
     vec3 _e68 = direction_moved(_e64, vec2(-0.13, 0.13));
     Angle from_beside_it = Angle((0.5 * length((_e68 - _e44))), (0.5 * length((_e68 + _e44))));
-    float _e80 = profile_2_(from_beside_it, 0.0, bite_shape);
+    float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
     float crescent = min(_e56, (1.0 - _e80));
     DirectionParts _e86 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
     vec3 _e90 = direction_moved(_e86, vec2(-0.06, 0.06));
     Angle from_the_dot = Angle((0.5 * length((_e90 - _e44))), (0.5 * length((_e90 + _e44))));
-    float _e102 = profile_2_(from_the_dot, 0.0, dot_shape);
+    float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
     float crescent_and_dot = max(crescent, _e102);
     vec4 _e111 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
     Light _e114 = u_look.back;
@@ -340,7 +273,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     vec4 _e11 = u_view.eye;

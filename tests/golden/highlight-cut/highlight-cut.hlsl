@@ -100,7 +100,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const ProfileShape lit_side_shape = ConstructProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 static const ProfileShape disc_shape = ConstructProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
@@ -144,70 +143,21 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x_1)
-{
-    float clamped_1 = max(x_1, -126.0);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_3)
-{
-    float y_2 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return float2(s, c);
-}
-
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
 {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_seen(float3 v_2)
+float3 normalize_seen_balanced(float3 v_2)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_4)
+float log2_one_minus(float y)
 {
-    float small = min(y_1, x_4);
-    float large = max(y_1, x_4);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_4) ? (HALF_PI - a) : a);
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -215,8 +165,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -228,28 +178,27 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s_3 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_3, u_1.half_cos));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
 Angle angle_turned_2_(Angle u_2, float2 t_1)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
+    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c = (u_2.half_cos + (u_2.half_sin * 0.0));
+    float2 upper_1 = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c));
+    float2 turned_1 = (((s_4 <= 0.0) & (s_4 < c)) ? float2(0.0, 1.0) : upper_1);
     const Angle angle_3 = ConstructAngle(turned_1.x, turned_1.y);
     return angle_3;
 }
 
-float footprint_of(float x_5)
+float footprint_of(float x_1)
 {
-    float _e1 = ddx(x_5);
-    float _e2 = ddy(x_5);
+    float _e1 = ddx(x_1);
+    float _e2 = ddy(x_1);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -257,8 +206,8 @@ float footprint_of(float x_5)
 float3 any_orthogonal(float3 n)
 {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+    float a = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -272,8 +221,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
+    float3 y_1 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_1, float2(dot(direction, x_axis), dot(direction, y_1)));
     return directionparts;
 }
 
@@ -321,87 +270,62 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_1 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2)
 {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    return (((s_4 <= 0.0) | false) ? 1.0 : ((s_4 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2)
-{
-    const float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        const float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e45 = angle_turned(u_5, _e44);
-    const float _e46 = profile_point(_e45, shape_2);
-    const Angle _e51 = angle_turned(u_5, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3)
-{
-    const float _e3 = profile_point_2_(u_6, shape_3);
-    if (((false | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
     float width_2 = sqrt((w_1 * w_1));
-    const float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2)), 0.0, 1.0);
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_4)
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3)
 {
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    float2 place = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
+    }
+    const float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_2);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+}
+
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+{
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_4);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
     const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    const float _e14 = angle_footprint(_e6);
+    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
 float rim(Light light_1, float3 normal, float3 view_1, float width, float softness, float follow)
@@ -414,8 +338,7 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate(across_1, (0.0).xxx);
-    float side = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    float side = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -424,24 +347,24 @@ float4 shade(Surface surface_1)
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
     Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     float4 shadow = float4((float3(0.62, 0.16, 0.26) * lerp((1.0).xxx, float3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
     float3 normal_3 = surface_1.normal;
     Light _e42 = look.key;
     const float3 _e44 = half_vector(_e42, surface_1.view);
     Angle from_the_highlight = ConstructAngle((0.5 * length((normal_3 - _e44))), (0.5 * length((normal_3 + _e44))));
-    const float _e56 = profile_2_(from_the_highlight, 0.0, disc_shape);
+    const float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
     const AxesAround _e61 = axes(_e44, float3(0.0, 1.0, 0.0));
     const DirectionParts _e64 = direction_within(normal_3, _e61.x_axis, _e61.y_axis);
     const float3 _e68 = direction_moved(_e64, float2(-0.13, 0.13));
     Angle from_beside_it = ConstructAngle((0.5 * length((_e68 - _e44))), (0.5 * length((_e68 + _e44))));
-    const float _e80 = profile_2_(from_beside_it, 0.0, bite_shape);
+    const float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
     float crescent = min(_e56, (1.0 - _e80));
     const DirectionParts _e86 = direction_within(normal_3, _e61.x_axis, _e61.y_axis);
     const float3 _e90 = direction_moved(_e86, float2(-0.06, 0.06));
     Angle from_the_dot = ConstructAngle((0.5 * length((_e90 - _e44))), (0.5 * length((_e90 + _e44))));
-    const float _e102 = profile_2_(from_the_dot, 0.0, dot_shape);
+    const float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
     float crescent_and_dot = max(crescent, _e102);
     const float4 _e111 = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
     Light _e114 = look.back;
@@ -474,7 +397,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     float4 _e11 = view_2.eye;

@@ -72,7 +72,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant ProfileShape lit_side_shape = ProfileShape {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
 constant ProfileShape disc_shape = ProfileShape {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
@@ -102,48 +101,6 @@ metal::float3 normalize_or(
     return scaled * (1.0 / metal::sqrt(square));
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x_1
-) {
-    float clamped_1 = metal::max(x_1, -126.0);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_3
-) {
-    float y_2 = x_3 * x_3;
-    float s = x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
-
 metal::float3 normalize_moderate(
     metal::float3 v_1,
     metal::float3 otherwise_1
@@ -152,29 +109,17 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
 }
 
-float atan2_positive(
-    float y_1,
-    float x_4
+float log2_one_minus(
+    float y
 ) {
-    float small = metal::min(y_1, x_4);
-    float large = metal::max(y_1, x_4);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_4) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -183,18 +128,17 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_3 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, u_1.half_cos);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -202,18 +146,18 @@ Angle angle_turned_2_(
     Angle u_2,
     metal::float2 t_1
 ) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    float s_4 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c);
+    metal::float2 turned_1 = ((s_4 <= 0.0) & (s_4 < c)) ? metal::float2(0.0, 1.0) : upper_1;
     return Angle {turned_1.x, turned_1.y};
 }
 
 float footprint_of(
-    float x_5
+    float x_1
 ) {
-    float _e1 = metal::dfdx(x_5);
-    float _e2 = metal::dfdy(x_5);
+    float _e1 = metal::dfdx(x_1);
+    float _e2 = metal::dfdy(x_1);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -222,8 +166,8 @@ metal::float3 any_orthogonal(
     metal::float3 n
 ) {
     float sign = (n.z >= 0.0) ? 1.0 : -1.0;
-    float a_1 = -1.0 / (sign + n.z);
-    return metal::float3(1.0 + (((sign * n.x) * n.x) * a_1), ((sign * n.x) * n.y) * a_1, -(sign) * n.x);
+    float a = -1.0 / (sign + n.z);
+    return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
 }
 
 DirectionParts direction_within(
@@ -231,8 +175,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
-    return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
+    metal::float3 y_1 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y_1, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_1))};
 }
 
 metal::float3 direction_moved(
@@ -284,104 +228,79 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_3 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_point_2_(
-    Angle u_4,
+float profile_ramp_quick(
+    float s_1,
+    float w,
     ProfileShape shape_1
 ) {
-    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    return ((s_4 <= 0.0) | false) ? 1.0 : ((s_4 <= 0.0000004) ? 1.0 : 0.0);
+    float width_1 = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width_1), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered(
-    Angle u_5,
-    float w,
+float profile_ramp_quick_2_(
+    float s_2,
+    float w_1,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
-    }
-    if (true & (w >= (3.4641016 * shape_2.edge_deviation))) {
-        float width_1 = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return metal::clamp(0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
-    }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float width_2 = metal::sqrt(w_1 * w_1);
+    float from_offset_1 = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((0.0 - from_offset_1) / metal::max(width_2, 0.000001)), 0.0, 1.0);
+    return (w_1 <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
-    float w_1,
+float profile_filtered_quick(
+    Angle u_3,
+    float w_2,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    if ((false | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
     }
-    float width_2 = metal::sqrt(w_1 * w_1);
-    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return metal::clamp(0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
+    }
+    float r = 0.19364917 * w_2;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
+    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_4
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
     ProfileShape shape_5
 ) {
     Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset), _e14, shape_5);
+    return _e15;
 }
 
 float rim(
@@ -400,8 +319,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate(across_1, metal::float3(0.0));
-    float side = metal::dot(normal - (metal::dot(normal, view_1) * view_1), _e42);
+    float side = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -412,24 +330,24 @@ metal::float4 shade(
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
     Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = 1.0 - _e22;
     metal::float4 shadow = metal::float4(metal::float3(0.62, 0.16, 0.26) * metal::mix(metal::float3(1.0), metal::float3(0.5, 0.33, 0.56), in_the_dark), 1.0);
     metal::float3 normal_1 = surface_1.normal;
     Light _e42 = look.key;
     metal::float3 _e44 = half_vector(_e42, surface_1.view);
     Angle from_the_highlight = Angle {0.5 * metal::length(normal_1 - _e44), 0.5 * metal::length(normal_1 + _e44)};
-    float _e56 = profile_2_(from_the_highlight, 0.0, disc_shape);
+    float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
     AxesAround _e61 = axes(_e44, metal::float3(0.0, 1.0, 0.0));
     DirectionParts _e64 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
     metal::float3 _e68 = direction_moved(_e64, metal::float2(-0.13, 0.13));
     Angle from_beside_it = Angle {0.5 * metal::length(_e68 - _e44), 0.5 * metal::length(_e68 + _e44)};
-    float _e80 = profile_2_(from_beside_it, 0.0, bite_shape);
+    float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
     float crescent = metal::min(_e56, 1.0 - _e80);
     DirectionParts _e86 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
     metal::float3 _e90 = direction_moved(_e86, metal::float2(-0.06, 0.06));
     Angle from_the_dot = Angle {0.5 * metal::length(_e90 - _e44), 0.5 * metal::length(_e90 + _e44)};
-    float _e102 = profile_2_(from_the_dot, 0.0, dot_shape);
+    float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
     float crescent_and_dot = metal::max(crescent, _e102);
     Composite _e111 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
     Light _e114 = look.back;
@@ -484,7 +402,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
     metal::float4 _e11 = view_2.eye;

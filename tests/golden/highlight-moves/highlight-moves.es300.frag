@@ -83,8 +83,8 @@ bool is_finite(float x) {
 }
 
 vec4 finite_vec4_(vec4 v) {
-    uvec4 exponent_1 = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_1), exponent_1));
+    uvec4 exponent = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
 vec3 normalize_or(vec3 v_1, vec3 otherwise) {
@@ -109,25 +109,17 @@ float exp2_stable(float x_1) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_1 = roundEven(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float log_stable(float x_4) {
-    float _e2 = log2_stable(x_4);
+float log_stable(float x_3) {
+    float _e2 = log2_stable(x_3);
     return (LN_2_ * _e2);
 }
 
@@ -146,25 +138,18 @@ float log1p_negative(float y_1) {
     return _e8;
 }
 
-vec2 sin_cos_quarter(float x_5) {
-    float h = (0.5 * x_5);
+vec2 sin_cos_quarter(float x_4) {
+    float h = (0.5 * x_4);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_3 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    return vec2(((2.0 * s_3) * c), (1.0 - ((2.0 * s_3) * s_3)));
 }
 
-vec2 sin_cos_tiny(float x_6) {
-    float y_5 = (x_6 * x_6);
-    float s_1 = (x_6 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334)))));
-    float c_1 = (1.0 - (y_5 * (0.5 + (y_5 * (-0.041666668 + (y_5 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec2 sin_cos(float x_7) {
-    float turns = roundEven((x_7 * 0.31830987));
-    float r = (((x_7 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+vec2 sin_cos(float x_5) {
+    float turns = roundEven((x_5 * 0.31830987));
+    float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
     vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
     return (sign_ * _e27);
@@ -175,55 +160,43 @@ vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_3) {
+    return (v_3 * inversesqrt(max(dot(v_3, v_3), 1e-30)));
 }
 
-float atan2_positive(float y_2, float x_8) {
-    float small = min(y_2, x_8);
-    float large = max(y_2, x_8);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r_1 = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r_1 * r_1);
-    float series = (r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_2 > x_8) ? (HALF_PI - a) : a);
+float log2_one_minus(float y_2) {
+    float series = ((-(y_2) * LOG2_E) * (1.0 + (y_2 * (0.5 + (y_2 * (0.33333334 + (y_2 * (0.25 + (y_2 * 0.2)))))))));
+    return ((y_2 < 0.0625) ? series : log2(max((1.0 - y_2), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_4 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_1.half_cos));
+    vec2 turned = (((s_4 <= 0.0) && (s_4 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_3 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
-    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper_1);
+    float s_5 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_1 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
+    vec2 turned_1 = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
-float bounded(float x_9) {
-    uint bits_1 = floatBitsToUint(x_9);
+float bounded(float x_6) {
+    uint bits_1 = floatBitsToUint(x_6);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_9 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 vec3 bounded_vec3_(vec3 v_4) {
@@ -234,17 +207,17 @@ vec3 bounded_vec3_(vec3 v_4) {
     return mix(numbers, v_4, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-float footprint_of(float x_10) {
-    float _e1 = dFdx(x_10);
-    float _e2 = dFdy(x_10);
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
 vec3 any_orthogonal(vec3 n) {
     float sign_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_1 + n.z));
-    return vec3((1.0 + (((sign_1 * n.x) * n.x) * a_1)), (((sign_1 * n.x) * n.y) * a_1), (-(sign_1) * n.x));
+    float a = (-1.0 / (sign_1 + n.z));
+    return vec3((1.0 + (((sign_1 * n.x) * n.x) * a)), (((sign_1 * n.x) * n.y) * a), (-(sign_1) * n.x));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
@@ -255,8 +228,8 @@ DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
 }
 
 DirectionParts direction_within_2_(vec3 direction_1, vec3 x_axis_1, vec3 y_axis_1) {
-    vec3 _e5 = normalize_moderate(y_axis_1, vec3(0.0));
-    return DirectionParts(direction_1, x_axis_1, _e5, vec2(dot(direction_1, x_axis_1), dot(direction_1, _e5)));
+    vec3 y_5 = (y_axis_1 * inversesqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
+    return DirectionParts(direction_1, x_axis_1, y_5, vec2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -288,10 +261,10 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_11, float y_3) {
+vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_8, float y_3) {
     DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_11, y_3), vec2(0.0))) * side));
+    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_8, y_3), vec2(0.0))) * side));
     return _e21;
 }
 
@@ -316,9 +289,9 @@ vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amou
     return _e49;
 }
 
-vec3 stretch_direction(vec3 direction_5, vec3 x_axis_4, vec3 y_axis_4, float x_12, float y_4) {
+vec3 stretch_direction(vec3 direction_5, vec3 x_axis_4, vec3 y_axis_4, float x_9, float y_4) {
     DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_12, y_4), vec2(1.0))) * _e5.place));
+    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_9, y_4), vec2(1.0))) * _e5.place));
     return _e13;
 }
 
@@ -327,79 +300,56 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), vec4(0.0), vec4(1.0));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_1 = (s_4 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    return (((s_5 <= 0.0) || false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    if (((false || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
+float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
     float width_2 = sqrt((w_1 * w_1));
-    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
-    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2)), 0.0, 1.0);
+    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
+    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3) {
+    vec2 place = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_2);
+    vec2 turn = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+}
+
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
+    return _e15;
 }
 
 float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
@@ -411,8 +361,7 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
-    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }
 
@@ -430,7 +379,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
     Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 _e27 = u_look.body;
     vec4 _e31 = u_look.body;
@@ -456,7 +405,7 @@ vec4 shade(Surface surface_1) {
     float _e105 = u_look.square_amount;
     vec3 _e107 = square_direction(_e100, _e71.x_axis, _e71.y_axis, _e105, 4.0);
     Angle from_the_highlight = Angle((0.5 * length((_e107 - _e62))), (0.5 * length((_e107 + _e62))));
-    float _e119 = profile_2_(from_the_highlight, 0.0, highlight_shape);
+    float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
     vec4 _e127 = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
     Light _e130 = u_look.back;
     float _e136 = rim(_e130, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
@@ -469,7 +418,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     vec4 _e11 = u_view.eye;

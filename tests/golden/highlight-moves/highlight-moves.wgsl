@@ -115,17 +115,6 @@ fn exp2_stable(x: f32) -> f32 {
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
 /// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 fn log2_stable(x: f32) -> f32 {
@@ -178,14 +167,6 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
 /// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
 /// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
@@ -204,31 +185,18 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -243,12 +211,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -314,7 +279,7 @@ fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Direction
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let y = normalize_moderate(y_axis, vec3f(0.0));
+    let y = y_axis * inverseSqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
@@ -428,91 +393,60 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
+    let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick_2(s: f32, w: f32, shape: ProfileShape) -> f32 {
+    let width = sqrt(w * w);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
+}
+
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
+    if false | is_narrow {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (1.25 + shape.edge_mean - 2.0 * atan2_positive(u.half_sin, u.half_cos))
-            / width, 0.0, 1.0);
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    if false | (w <= 0.0) | false {
-        return point;
-    }
-    let width = sqrt(w * w);
-    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
-        1.0);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint(warped), shape);
 }
 
 /// Rim light
@@ -527,7 +461,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
+        1e-30)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -547,7 +482,7 @@ const highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let lit_side = profile(turned_from_the_key, 0.0, lit_side_shape);
+    let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     let in_the_dark = 1.0 - lit_side;
     let shadow = clamp(vec4f(look.body.xyz + (look.body.xyz * mix(vec3f(1.0), vec4f(0.45, 0.36, 0.62, 1.0).xyz, in_the_dark) - look.body.xyz), look.body.w), vec4f(0.0), vec4f(1.0));
     let normal = surface.normal;
@@ -559,7 +494,7 @@ fn shade(surface: Surface) -> vec4f {
     let split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.split_x, look.split_y);
     let square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.square_amount, 4.0);
     let from_the_highlight = Angle(0.5 * length(square - half), 0.5 * length(square + half));
-    let highlight = profile_2(from_the_highlight, 0.0, highlight_shape);
+    let highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
     let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
     let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.5 * (highlight_on_top.xyz + rim_2 * vec4f(0.55, 0.75, 1.0, 1.0).xyz - highlight_on_top.xyz), highlight_on_top.w), vec4f(0.0), vec4f(1.0));
@@ -590,7 +525,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

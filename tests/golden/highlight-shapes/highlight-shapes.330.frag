@@ -126,10 +126,10 @@ float log1p_negative(float y_1) {
 vec2 sin_cos_quarter(float x_4) {
     float h = (0.5 * x_4);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    return vec2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
 }
 
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
@@ -137,9 +137,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_2) {
+    return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
 Angle angle_of(float radians_) {
@@ -154,9 +153,9 @@ float atan2_positive(float y_2, float x_5) {
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float t_2 = (small / large);
+    bool is_wide = (t_2 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
@@ -167,16 +166,23 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_1, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = (u_1.half_sin - (u_1.half_cos * 0.0));
-    float c_1 = (u_1.half_cos + (u_1.half_sin * 0.0));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
+}
+
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_1 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
 float bounded(float x_6) {
@@ -190,8 +196,8 @@ float angle_of_point(float y_3, float x_7) {
     vec2 p = abs(vec2(x_7, y_3));
     vec2 scaled_1 = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
-    return ((y_3 < 0.0) ? -(turned_1) : turned_1);
+    float turned_2 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
+    return ((y_3 < 0.0) ? -(turned_2) : turned_2);
 }
 
 float footprint_of(float x_8) {
@@ -215,8 +221,8 @@ DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
 }
 
 DirectionParts direction_within_2_(vec3 direction_1, vec3 x_axis_1, vec3 y_axis_1) {
-    vec3 _e5 = normalize_moderate(y_axis_1, vec3(0.0));
-    return DirectionParts(direction_1, x_axis_1, _e5, vec2(dot(direction_1, x_axis_1), dot(direction_1, _e5)));
+    vec3 y_5 = (y_axis_1 * inversesqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
+    return DirectionParts(direction_1, x_axis_1, y_5, vec2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -294,11 +300,11 @@ vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amou
 
 Angle star_angle(vec3 direction_5, vec3 middle, vec3 x_axis_4, vec3 y_axis_4, int rays_1, float inner_1, float round_1, float turn_1) {
     DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    Angle u_5 = Angle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
+    Angle u_3 = Angle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);
     float _e30 = star_reach(around, 4.0, inner_1, 0.0);
-    float _e33 = atan2_positive(u_5.half_sin, u_5.half_cos);
+    float _e33 = atan2_positive(u_3.half_sin, u_3.half_cos);
     Angle _e37 = angle_of(((2.0 * _e33) / _e30));
     return _e37;
 }
@@ -307,43 +313,25 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_2 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    return (((s_2 <= 0.0) || false) ? 1.0 : ((s_2 <= 4e-7) ? 1.0 : 0.0));
-}
-
-float profile_filtered(Angle u_3, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_3, shape_1);
-    if (((false || (w <= 0.0)) || false)) {
-        return _e3;
-    }
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
     float width_1 = sqrt((w * w));
-    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return clamp((0.5 + ((shape_1.offset - (2.0 * _e15)) / width_1)), 0.0, 1.0);
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width_1, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_2_(Angle u_4, float w_1, ProfileShape shape_2) {
-    float _e3 = profile_point(u_4, shape_2);
-    if (((false || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    float width_2 = sqrt((w_1 * w_1));
-    float _e14 = atan2_positive(u_4.half_sin, u_4.half_cos);
-    return clamp((0.5 + ((0.125 - (2.0 * _e14)) / width_2)), 0.0, 1.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_3) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_1) {
     Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_3);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
+    return _e15;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_4) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_2) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick(((_e6.half_sin * shape_2.half_cos_offset) - (_e6.half_cos * shape_2.half_sin_offset)), _e14, shape_2);
+    return _e15;
 }
 
 float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
@@ -355,8 +343,7 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
-    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }
 
@@ -364,7 +351,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
     Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, shadow_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 shadow = min(vec4((vec3(0.83, 0.19, 0.18) * mix(vec3(1.0), vec3(0.52, 0.25, 0.46), in_the_dark)), 1.0), vec4(1.0));
     vec3 normal_1 = surface_1.normal;
@@ -374,13 +361,13 @@ vec4 shade(Surface surface_1) {
     vec3 _e57 = split_direction(normal_1, _e52.x_axis, _e52.y_axis, 0.15, 0.15);
     vec3 _e62 = square_direction(_e57, _e52.x_axis, _e52.y_axis, 0.3, 4.0);
     Angle window_angle = Angle((0.5 * length((_e62 - _e47))), (0.5 * length((_e62 + _e47))));
-    float _e74 = profile_2_(window_angle, 0.0, window_shape);
+    float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
     vec4 _e82 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
     Light _e85 = u_look.spark;
     vec3 _e87 = half_vector(_e85, surface_1.view);
     AxesAround _e92 = axes(_e87, vec3(0.0, 1.0, 0.0));
     Angle _e100 = star_angle(surface_1.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
-    float _e103 = profile(_e100, 0.0, spark_shape);
+    float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
     vec4 spark_s_light = clamp(vec4((_e82.xyz + (_e103 * (vec3(1.0, 0.83, 0.42) - _e82.xyz))), 1.0), vec4(0.0), vec4(1.0));
     Light _e122 = u_look.back;
     float _e128 = rim(_e122, surface_1.normal, surface_1.view, 0.38, 0.15, 1.0);
@@ -392,7 +379,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     vec4 _e11 = u_view.eye;

@@ -160,10 +160,10 @@ metal::float2 sin_cos_quarter(
 ) {
     float h = 0.5 * x_4;
     float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
+    float s_1 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2((2.0 * s_1) * c, 1.0 - ((2.0 * s_1) * s_1));
 }
 
 metal::float3 normalize_moderate(
@@ -174,11 +174,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
 }
 
 Angle angle_of(
@@ -198,9 +197,9 @@ float atan2_positive(
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
+    float t_2 = small / large;
+    bool is_wide = t_2 > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t_2;
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
@@ -213,19 +212,29 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_1, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = u_1.half_sin - (u_1.half_cos * 0.0);
-    float c_1 = u_1.half_cos + (u_1.half_sin * 0.0);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_2 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
+}
+
+Angle angle_turned_2_(
+    Angle u_2,
+    metal::float2 t_1
+) {
+    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_1 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
+    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 float bounded(
@@ -244,8 +253,8 @@ float angle_of_point(
     metal::float2 p = metal::abs(metal::float2(x_7, y_3));
     metal::float2 scaled_1 = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = (x_7 < 0.0) ? (PI - _e14) : _e14;
-    return (y_3 < 0.0) ? -(turned_1) : turned_1;
+    float turned_2 = (x_7 < 0.0) ? (PI - _e14) : _e14;
+    return (y_3 < 0.0) ? -(turned_2) : turned_2;
 }
 
 float footprint_of(
@@ -281,8 +290,8 @@ DirectionParts direction_within_2_(
     metal::float3 x_axis_1,
     metal::float3 y_axis_1
 ) {
-    metal::float3 _e5 = normalize_moderate(y_axis_1, metal::float3(0.0));
-    return DirectionParts {direction_1, x_axis_1, _e5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, _e5))};
+    metal::float3 y_5 = y_axis_1 * metal::rsqrt(metal::max(metal::dot(y_axis_1, y_axis_1), 0.000000000000000000000000000001));
+    return DirectionParts {direction_1, x_axis_1, y_5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, y_5))};
 }
 
 metal::float3 direction_moved(
@@ -401,11 +410,11 @@ Angle star_angle(
     float turn_1
 ) {
     DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    Angle u_5 = Angle {0.5 * metal::length(_e8.direction - middle), 0.5 * metal::length(_e8.direction + middle)};
+    Angle u_3 = Angle {0.5 * metal::length(_e8.direction - middle), 0.5 * metal::length(_e8.direction + middle)};
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = (_e24 - turn_1) / 6.2831855;
     float _e30 = star_reach(around, 4.0, inner_1, 0.0);
-    float _e33 = atan2_positive(u_5.half_sin, u_5.half_cos);
+    float _e33 = atan2_positive(u_3.half_sin, u_3.half_cos);
     Angle _e37 = angle_of((2.0 * _e33) / _e30);
     return _e37;
 }
@@ -420,62 +429,37 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
-float profile_point(
-    Angle u_2,
+float profile_ramp_quick(
+    float s,
+    float w,
     ProfileShape shape
 ) {
-    float s_2 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
-    return ((s_2 <= 0.0) | false) ? 1.0 : ((s_2 <= 0.0000004) ? 1.0 : 0.0);
-}
-
-float profile_filtered(
-    Angle u_3,
-    float w,
-    ProfileShape shape_1
-) {
-    float _e3 = profile_point(u_3, shape_1);
-    if ((false | (w <= 0.0)) | false) {
-        return _e3;
-    }
     float width_1 = metal::sqrt(w * w);
-    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    return metal::clamp(0.5 + ((shape_1.offset - (2.0 * _e15)) / width_1), 0.0, 1.0);
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width_1, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered_2_(
-    Angle u_4,
-    float w_1,
-    ProfileShape shape_2
-) {
-    float _e3 = profile_point(u_4, shape_2);
-    if ((false | (w_1 <= 0.0)) | false) {
-        return _e3;
-    }
-    float width_2 = metal::sqrt(w_1 * w_1);
-    float _e14 = atan2_positive(u_4.half_sin, u_4.half_cos);
-    return metal::clamp(0.5 + ((0.125 - (2.0 * _e14)) / width_2), 0.0, 1.0);
-}
-
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_3
+    ProfileShape shape_1
 ) {
     Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_3);
-    return _e8;
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset), _e14, shape_1);
+    return _e15;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_4
+    ProfileShape shape_2
 ) {
-    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_4);
-    return _e8;
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    float _e14 = angle_footprint(_e6);
+    float _e15 = profile_ramp_quick((_e6.half_sin * shape_2.half_cos_offset) - (_e6.half_cos * shape_2.half_sin_offset), _e14, shape_2);
+    return _e15;
 }
 
 float rim(
@@ -494,8 +478,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate(across_1, metal::float3(0.0));
-    float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), _e42);
+    float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), 1.0);
 }
 
@@ -506,7 +489,7 @@ metal::float4 shade(
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
     Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(turned_from_the_key, 0.0, shadow_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = 1.0 - _e22;
     metal::float4 shadow = metal::min(metal::float4(metal::float3(0.83, 0.19, 0.18) * metal::mix(metal::float3(1.0), metal::float3(0.52, 0.25, 0.46), in_the_dark), 1.0), metal::float4(1.0));
     metal::float3 normal_1 = surface_1.normal;
@@ -516,13 +499,13 @@ metal::float4 shade(
     metal::float3 _e57 = split_direction(normal_1, _e52.x_axis, _e52.y_axis, 0.15, 0.15);
     metal::float3 _e62 = square_direction(_e57, _e52.x_axis, _e52.y_axis, 0.3, 4.0);
     Angle window_angle = Angle {0.5 * metal::length(_e62 - _e47), 0.5 * metal::length(_e62 + _e47)};
-    float _e74 = profile_2_(window_angle, 0.0, window_shape);
+    float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
     Composite _e82 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
     Light _e85 = look.spark;
     metal::float3 _e87 = half_vector(_e85, surface_1.view);
     AxesAround _e92 = axes(_e87, metal::float3(0.0, 1.0, 0.0));
     Angle _e100 = star_angle(surface_1.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
-    float _e103 = profile(_e100, 0.0, spark_shape);
+    float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
     metal::float4 spark_s_light = metal::clamp(metal::float4(_e82.xyz + (_e103 * (metal::float3(1.0, 0.83, 0.42) - _e82.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     Light _e122 = look.back;
     float _e128 = rim(_e122, surface_1.normal, surface_1.view, 0.38, 0.15, 1.0);
@@ -575,7 +558,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
     metal::float4 _e11 = view_2.eye;

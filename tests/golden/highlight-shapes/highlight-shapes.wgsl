@@ -161,10 +161,10 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
@@ -207,6 +207,14 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
+    return Angle(turned.x, turned.y);
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin - u.half_cos * 0.0;
     let c = u.half_cos + u.half_sin * 0.0;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
@@ -267,7 +275,7 @@ fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Direction
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let y = normalize_moderate(y_axis, vec3f(0.0));
+    let y = y_axis * inverseSqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
@@ -402,59 +410,25 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    if false | (w <= 0.0) | false {
-        return point;
-    }
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     let width = sqrt(w * w);
-    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
-        1.0);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    if false | (w <= 0.0) | false {
-        return point;
-    }
-    let width = sqrt(w * w);
-    return clamp(0.5 + (0.125 - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0, 1.0);
-}
-
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, vec2f(0.0, 1.0));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint(warped), shape);
 }
 
 /// Rim light
@@ -469,7 +443,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
+        1e-30)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -480,7 +455,7 @@ const spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let shadow_side = profile(turned_from_the_key, 0.0, shadow_side_shape);
+    let shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     let in_the_dark = 1.0 - shadow_side;
     let shadow = min(vec4f(vec4f(0.83, 0.19, 0.18, 1.0).xyz * mix(vec3f(1.0), vec4f(0.52, 0.25, 0.46, 1.0).xyz, in_the_dark), 1.0), vec4f(1.0));
     let normal = surface.normal;
@@ -489,12 +464,12 @@ fn shade(surface: Surface) -> vec4f {
     let four_panes = split_direction(normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
     let square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
     let window_angle = Angle(0.5 * length(square_it - half), 0.5 * length(square_it + half));
-    let window = profile_2(window_angle, 0.0, window_shape);
+    let window = profile_balanced_2(window_angle, 0.0, window_shape);
     let window_s_light = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
     let spark_half = half_vector(look.spark, surface.view);
     let upright_2 = axes(spark_half, vec3f(0.0, 1.0, 0.0));
     let four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4i, 0.28, 0.0, 0.3);
-    let spark = profile(four_rays, 0.0, spark_shape);
+    let spark = profile_balanced_2(four_rays, 0.0, spark_shape);
     let spark_s_light = clamp(vec4f(window_s_light.xyz + spark * (vec4f(1.0, 0.83, 0.42, 1.0).xyz - window_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
     let rim_s_light = clamp(vec4f(spark_s_light.xyz + 0.75 * (spark_s_light.xyz + rim_2 * vec4f(0.55, 0.72, 1.0, 1.0).xyz - spark_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
@@ -525,7 +500,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

@@ -41,60 +41,15 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * 0.5);
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log2_stable_2_(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    float mantissa_1 = uintBitsToFloat((bits_1 - 0u));
-    float z_1 = ((mantissa_1 - 1.0) / (mantissa_1 + 1.0));
-    float z2_1 = (z_1 * z_1);
-    return (0.0 + (z_1 * (2.88539 + (z2_1 * (0.96179885 + (z2_1 * (0.57671434 + (z2_1 * 0.4317379))))))));
-}
-
-float log2_stable_3_(float x_4) {
-    uint bits_2 = floatBitsToUint(x_4);
-    float mantissa_2 = uintBitsToFloat((bits_2 - 0u));
-    float z_2 = ((mantissa_2 - 1.0) / (mantissa_2 + 1.0));
-    float z2_2 = (z_2 * z_2);
-    return (z_2 * (2.88539 + (z2_2 * (0.96179885 + (z2_2 * (0.57671434 + (z2_2 * 0.4317379)))))));
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float bounded(float x_5) {
-    uint bits_3 = floatBitsToUint(x_5);
-    uint magnitude = (bits_3 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_3 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -105,68 +60,35 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float powered(float base, float exponent) {
-    float magnitude_1 = abs(base);
-    float _e5 = log2_stable(max(magnitude_1, SMALLEST_NORMAL));
-    float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float _e3 = powered(size, 0.41666666);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
 vec3 oklab_of_linear(vec3 rgb) {
-    float _e6 = log2_stable(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    float _e15 = log2_stable(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable((0.33333334 * _e15));
-    float _e24 = log2_stable(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable((0.33333334 * _e24));
-    return vec3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
-}
-
-vec3 oklab_of_linear_2_(vec3 rgb_1) {
-    float _e6 = log2_stable_3_(dot(rgb_1, vec3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    float _e15 = log2_stable(dot(rgb_1, vec3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable_2_((0.33333334 * _e15));
-    float _e24 = log2_stable(dot(rgb_1, vec3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable((0.33333334 * _e24));
-    return vec3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
+    float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
+    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 vec3 oklab_of_srgb(vec3 coded) {
-    float _e6 = log2_stable_2_(((coded.x + 0.055) / 1.055));
-    float _e9 = exp2_stable((2.4 * _e6));
-    float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
-    float _e18 = exp2_stable((2.4 * _e15));
-    float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
-    float _e27 = exp2_stable((2.4 * _e24));
-    vec3 _e29 = oklab_of_linear(vec3(_e9, _e18, _e27));
-    return _e29;
+    vec3 _e23 = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return _e23;
 }
 
 vec3 oklab_of_srgb_2_(vec3 coded_1) {
-    float _e2 = log2_stable_2_(1.0);
-    float _e5 = exp2_stable_2_((2.4 * _e2));
-    float _e11 = log2_stable_3_(((coded_1.y + 0.055) / 1.055));
-    float _e14 = exp2_stable((2.4 * _e11));
-    float _e20 = log2_stable(((coded_1.z + 0.055) / 1.055));
-    float _e23 = exp2_stable((2.4 * _e20));
-    vec3 _e25 = oklab_of_linear_2_(vec3(_e5, _e14, _e23));
-    return _e25;
+    vec3 _e17 = oklab_of_linear(vec3(1.0, pow(((coded_1.y + 0.055) / 1.055), 2.4), pow(((coded_1.z + 0.055) / 1.055), 2.4)));
+    return _e17;
 }
 
 vec3 srgb_of_oklab(vec3 lab_1) {
@@ -177,7 +99,7 @@ vec3 srgb_of_oklab(vec3 lab_1) {
     return vec3(_e3, _e5, _e7);
 }
 
-RampPlace ramp_place(Ramp ramp, float x_6) {
+RampPlace ramp_place(Ramp ramp, float x_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -199,14 +121,14 @@ RampPlace ramp_place(Ramp ramp, float x_6) {
         uint _e15 = i;
         uint _e17 = i;
         float _e21 = places[0][(_e17 % 4u)];
-        at = ((_e21 <= x_6) ? _e15 : _e14);
+        at = ((_e21 <= x_1) ? _e15 : _e14);
     }
     uint _e27 = at;
     uint after = min((_e27 + 1u), 2u);
     uint _e33 = at;
     float place = places[0][(_e33 % 4u)];
     float _e43 = places[0][(after % 4u)];
-    float _e45 = divided((x_6 - place), (_e43 - place));
+    float _e45 = divided((x_1 - place), (_e43 - place));
     float t = clamp(_e45, 0.0, 1.0);
     uint _e49 = at;
     vec4 _e51 = colors[_e49];
@@ -232,7 +154,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
     surface.normal = normal;
     vec4 _e11 = u_view.eye;

@@ -96,72 +96,17 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+float3 normalize_seen_balanced(float3 v)
+{
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable(float x)
+float bounded(float x)
 {
-    float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * 0.5);
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log2_stable_2_(float x_3)
-{
-    uint bits_1 = asuint(x_3);
-    float mantissa_1 = asfloat((bits_1 - 0u));
-    float z_1 = ((mantissa_1 - 1.0) / (mantissa_1 + 1.0));
-    float z2_1 = (z_1 * z_1);
-    return (0.0 + (z_1 * (2.88539 + (z2_1 * (0.96179885 + (z2_1 * (0.57671434 + (z2_1 * 0.4317379))))))));
-}
-
-float log2_stable_3_(float x_4)
-{
-    uint bits_2 = asuint(x_4);
-    float mantissa_2 = asfloat((bits_2 - 0u));
-    float z_2 = ((mantissa_2 - 1.0) / (mantissa_2 + 1.0));
-    float z2_2 = (z_2 * z_2);
-    return (z_2 * (2.88539 + (z2_2 * (0.96179885 + (z2_2 * (0.57671434 + (z2_2 * 0.4317379)))))));
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float bounded(float x_5)
-{
-    uint bits_3 = asuint(x_5);
-    uint magnitude = (bits_3 & 2147483647u);
-    float largest = asfloat(((bits_3 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b)
@@ -173,75 +118,40 @@ float divided(float a, float b)
     return _e7;
 }
 
-float powered(float base, float exponent)
-{
-    float magnitude_1 = abs(base);
-    const float _e5 = log2_stable(max(magnitude_1, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    const float _e3 = powered(size, 0.41666666);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
 float3 oklab_of_linear(float3 rgb)
 {
-    const float _e6 = log2_stable(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)));
-    const float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    const float _e15 = log2_stable(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)));
-    const float _e18 = exp2_stable((0.33333334 * _e15));
-    const float _e24 = log2_stable(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)));
-    const float _e27 = exp2_stable((0.33333334 * _e24));
-    return float3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
-}
-
-float3 oklab_of_linear_2_(float3 rgb_1)
-{
-    const float _e6 = log2_stable_3_(dot(rgb_1, float3(0.41222146, 0.53633255, 0.051445995)));
-    const float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    const float _e15 = log2_stable(dot(rgb_1, float3(0.2119035, 0.6806995, 0.10739696)));
-    const float _e18 = exp2_stable_2_((0.33333334 * _e15));
-    const float _e24 = log2_stable(dot(rgb_1, float3(0.08830246, 0.28171885, 0.6299787)));
-    const float _e27 = exp2_stable((0.33333334 * _e24));
-    return float3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
+    float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
+    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 float3 oklab_of_srgb(float3 coded)
 {
-    const float _e6 = log2_stable_2_(((coded.x + 0.055) / 1.055));
-    const float _e9 = exp2_stable((2.4 * _e6));
-    const float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
-    const float _e18 = exp2_stable((2.4 * _e15));
-    const float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
-    const float _e27 = exp2_stable((2.4 * _e24));
-    const float3 _e29 = oklab_of_linear(float3(_e9, _e18, _e27));
-    return _e29;
+    const float3 _e23 = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return _e23;
 }
 
 float3 oklab_of_srgb_2_(float3 coded_1)
 {
-    const float _e2 = log2_stable_2_(1.0);
-    const float _e5 = exp2_stable_2_((2.4 * _e2));
-    const float _e11 = log2_stable_3_(((coded_1.y + 0.055) / 1.055));
-    const float _e14 = exp2_stable((2.4 * _e11));
-    const float _e20 = log2_stable(((coded_1.z + 0.055) / 1.055));
-    const float _e23 = exp2_stable((2.4 * _e20));
-    const float3 _e25 = oklab_of_linear_2_(float3(_e5, _e14, _e23));
-    return _e25;
+    const float3 _e17 = oklab_of_linear(float3(1.0, pow(((coded_1.y + 0.055) / 1.055), 2.4), pow(((coded_1.z + 0.055) / 1.055), 2.4)));
+    return _e17;
 }
 
 float3 srgb_of_oklab(float3 lab_1)
@@ -265,7 +175,7 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_6)
+RampPlace ramp_place(Ramp ramp, float x_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -292,14 +202,14 @@ RampPlace ramp_place(Ramp ramp, float x_6)
         uint _e15 = i;
         uint _e17 = i;
         float _e21 = places[0][min(uint(naga_mod(_e17, 4u)), 3u)];
-        at = ((_e21 <= x_6) ? _e15 : _e14);
+        at = ((_e21 <= x_1) ? _e15 : _e14);
     }
     uint _e27 = at;
     uint after = min((_e27 + 1u), 2u);
     uint _e33 = at;
     float place = places[0][min(uint(naga_mod(_e33, 4u)), 3u)];
     float _e43 = places[0][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e45 = divided((x_6 - place), (_e43 - place));
+    const float _e45 = divided((x_1 - place), (_e43 - place));
     float t = clamp(_e45, 0.0, 1.0);
     uint _e49 = at;
     float4 _e51 = colors[min(uint(_e49), 15u)];
@@ -347,7 +257,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     float4 _e11 = view.eye;

@@ -58,81 +58,19 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp glow = Ramp {type_5 {{metal::float4(0.851, 0.4118, 0.1647, 1.0), metal::float4(1.0, 0.7804, 0.3961, 1.0), metal::float4(1.0, 0.9647, 0.8471, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.45, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 3u, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float whole = metal::rint(x);
-    float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * 0.5;
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log2_stable_2_(
-    float x_3
-) {
-    uint bits_1 = as_type<uint>(x_3);
-    float mantissa_1 = as_type<float>(bits_1 - 0u);
-    float z_1 = (mantissa_1 - 1.0) / (mantissa_1 + 1.0);
-    float z2_1 = z_1 * z_1;
-    return 0.0 + (z_1 * (2.88539 + (z2_1 * (0.96179885 + (z2_1 * (0.57671434 + (z2_1 * 0.4317379)))))));
-}
-
-float log2_stable_3_(
-    float x_4
-) {
-    uint bits_2 = as_type<uint>(x_4);
-    float mantissa_2 = as_type<float>(bits_2 - 0u);
-    float z_2 = (mantissa_2 - 1.0) / (mantissa_2 + 1.0);
-    float z2_2 = z_2 * z_2;
-    return z_2 * (2.88539 + (z2_2 * (0.96179885 + (z2_2 * (0.57671434 + (z2_2 * 0.4317379))))));
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 float bounded(
-    float x_5
+    float x
 ) {
-    uint bits_3 = as_type<uint>(x_5);
-    uint magnitude = bits_3 & 2147483647u;
-    float largest = as_type<float>((bits_3 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 float divided(
@@ -146,83 +84,45 @@ float divided(
     return _e7;
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude_1 = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude_1, SMALLEST_NORMAL));
-    float _e7 = exp2_stable(exponent * _e5);
-    return (magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7;
-}
-
 float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float _e3 = powered(size, 0.41666666);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055);
+    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
     return (light < 0.0) ? -(value_1) : value_1;
 }
 
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float _e6 = log2_stable(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_(0.33333334 * _e6);
-    float _e15 = log2_stable(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable(0.33333334 * _e15);
-    float _e24 = log2_stable(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable(0.33333334 * _e24);
-    return metal::float3(((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27), ((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27), ((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27));
-}
-
-metal::float3 oklab_of_linear_2_(
-    metal::float3 rgb_1
-) {
-    float _e6 = log2_stable_3_(metal::dot(rgb_1, metal::float3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_(0.33333334 * _e6);
-    float _e15 = log2_stable(metal::dot(rgb_1, metal::float3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable_2_(0.33333334 * _e15);
-    float _e24 = log2_stable(metal::dot(rgb_1, metal::float3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable(0.33333334 * _e24);
-    return metal::float3(((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27), ((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27), ((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
+    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    float _e6 = log2_stable_2_((coded.x + 0.055) / 1.055);
-    float _e9 = exp2_stable(2.4 * _e6);
-    float _e15 = log2_stable((coded.y + 0.055) / 1.055);
-    float _e18 = exp2_stable(2.4 * _e15);
-    float _e24 = log2_stable((coded.z + 0.055) / 1.055);
-    float _e27 = exp2_stable(2.4 * _e24);
-    metal::float3 _e29 = oklab_of_linear(metal::float3(_e9, _e18, _e27));
-    return _e29;
+    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return _e23;
 }
 
 metal::float3 oklab_of_srgb_2_(
     metal::float3 coded_1
 ) {
-    float _e2 = log2_stable_2_(1.0);
-    float _e5 = exp2_stable_2_(2.4 * _e2);
-    float _e11 = log2_stable_3_((coded_1.y + 0.055) / 1.055);
-    float _e14 = exp2_stable(2.4 * _e11);
-    float _e20 = log2_stable((coded_1.z + 0.055) / 1.055);
-    float _e23 = exp2_stable(2.4 * _e20);
-    metal::float3 _e25 = oklab_of_linear_2_(metal::float3(_e5, _e14, _e23));
-    return _e25;
+    metal::float3 _e17 = oklab_of_linear(metal::float3(1.0, metal::pow((coded_1.y + 0.055) / 1.055, 2.4), metal::pow((coded_1.z + 0.055) / 1.055, 2.4)));
+    return _e17;
 }
 
 metal::float3 srgb_of_oklab(
@@ -241,7 +141,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 RampPlace ramp_place(
     Ramp ramp,
-    float x_6
+    float x_1
 ) {
     type_5 colors = {};
     type_6 places = {};
@@ -267,14 +167,14 @@ RampPlace ramp_place(
         uint _e15 = i;
         uint _e17 = i;
         float _e21 = places.inner[0][naga_mod(_e17, 4u)];
-        at = (_e21 <= x_6) ? _e15 : _e14;
+        at = (_e21 <= x_1) ? _e15 : _e14;
     }
     uint _e27 = at;
     uint after = metal::min(_e27 + 1u, 2u);
     uint _e33 = at;
     float place = places.inner[0][naga_mod(_e33, 4u)];
     float _e43 = places.inner[0][naga_mod(after, 4u)];
-    float _e45 = divided(x_6 - place, _e43 - place);
+    float _e45 = divided(x_1 - place, _e43 - place);
     float t = metal::clamp(_e45, 0.0, 1.0);
     uint _e49 = at;
     metal::float4 _e51 = colors.inner[_e49];
@@ -345,7 +245,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
     surface.normal = normal;
     metal::float4 _e11 = view.eye;

@@ -63,35 +63,6 @@ layout(location = 1) smooth in vec3 v_position_object;
 layout(location = 2) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_2) {
-    float y_1 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
@@ -100,6 +71,11 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
 vec3 normalize_seen(vec3 v_1) {
     vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
+}
+
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -111,40 +87,31 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float eased(float x_4, float low, float high) {
-    float _e3 = bounded(x_4);
+float eased(float x_1, float low, float high) {
+    float _e3 = bounded(x_1);
     float _e8 = bounded(((_e3 - low) / (0.5 - low)));
-    float t_2 = clamp(_e8, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t_1 = clamp(_e8, 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float eased_2_(float x_5, float low_1, float high_1) {
-    float _e3 = bounded(x_5);
+float eased_2_(float x_2, float low_1, float high_1) {
+    float _e3 = bounded(x_2);
     float _e7 = bounded(((_e3 - low_1) / (high_1 - low_1)));
-    float t_3 = clamp(_e7, 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+    float t_2 = clamp(_e7, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
 float length_of(vec3 v_2) {
@@ -156,23 +123,23 @@ float length_of(vec3 v_2) {
     return _e16;
 }
 
-float footprint_of(float x_6) {
-    float _e1 = dFdx(x_6);
-    float _e2 = dFdy(x_6);
+float footprint_of(float x_3) {
+    float _e1 = dFdx(x_3);
+    float _e2 = dFdy(x_3);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of_2_(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float step_filtered(float x_8, float edge, float w) {
-    float d_2 = (x_8 - edge);
+float step_filtered(float x_5, float edge, float w) {
+    float d_2 = (x_5 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
@@ -216,51 +183,29 @@ Light local_light_2_(Light light_1, vec3 bend_1, float strength_1, vec3 center_1
     return Light(direction_1, light_1.own_direction, light_1.color, min(light_1.intensity, 1e30));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2((shape.exponent * _e8)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1) {
+    vec2 place_1 = vec2((u_2.half_sin - 0.0), u_2.half_cos);
+    float _e9 = profile_soft_quick(place_1.x, shape_1);
+    if ((w_1 < (0.1 * shape_1.edge_deviation))) {
+        return _e9;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e15 = profile_power(q_1, shape.exponent);
-    return _e15;
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e35 = profile_soft_quick(((place_1.x * turn.y) - (place_1.y * turn.x)), shape_1);
+    float _e43 = profile_soft_quick(((place_1.x * turn.y) + (place_1.y * turn.x)), shape_1);
+    return ((((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w_1, ProfileShape shape_1) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w_1 < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -273,15 +218,14 @@ float rim(Light light_2, vec3 normal, vec3 view, float width, float softness, fl
     float within = ((further / edge_1) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    vec3 _e42 = normalize_moderate(across, vec3(0.0));
-    float side = dot((normal - (dot(normal, view) * view)), _e42);
+    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
-float faded_in(float x_9, float limit, float softness_1) {
-    float _e3 = footprint_of(x_9);
+float faded_in(float x_6, float limit, float softness_1) {
+    float _e3 = footprint_of(x_6);
     float width_3 = length(vec2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    float _e10 = bounded(x_9);
+    float _e10 = bounded(x_6);
     return clamp((0.5 + ((_e10 - 20.0) / width_3)), 0.0, 1.0);
 }
 
@@ -318,7 +262,7 @@ vec4 shade(Surface surface_1) {
     Light _e16 = local_light(_e3, vec3(0.9, 0.25, 0.5), 1.0, vec3(0.12, 0.42, 0.5), 0.5, 0.4, surface_1.position_object);
     Light _e29 = local_light_2_(_e16, vec3(0.4, 0.1, 0.35), 1.0, vec3(-0.05, -0.35, 0.5), 0.4, 0.2, surface_1.position_object);
     Angle turned_from_the_light = Angle((0.5 * length((surface_1.normal - _e29.direction))), (0.5 * length((surface_1.normal + _e29.direction))));
-    float _e45 = profile(turned_from_the_light, 0.0, soft_tone_shape);
+    float _e45 = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
     float _e52 = length_of((surface_1.position_object - vec3(0.0, 0.02, 0.45)));
     float _e55 = eased_2_(_e52, 0.03, 0.3);
     float shadow_under_the_chin = clamp((_e45 + ((1.0 - _e55) * -0.45)), 0.0, 1.0);

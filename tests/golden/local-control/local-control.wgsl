@@ -69,45 +69,6 @@ struct Light {
 }
 
 const LOG2_E: f32 = 1.44269504088896340736;
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -119,6 +80,14 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+}
+
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -133,21 +102,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
-    return Angle(turned.x, turned.y);
-}
-
-/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
-fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin - u.half_cos * 0.0;
-    let c = u.half_cos + u.half_sin * 0.0;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -270,55 +227,31 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin - u.half_cos * 0.0;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
+        >= 1.0), 1.0, s <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin - 0.0, u.half_cos);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// Rim light
@@ -333,7 +266,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
+        1e-30)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -385,7 +319,7 @@ fn shade(surface: Surface) -> vec4f {
     let turned_to_the_face = local_light(look.key, vec3f(0.9, 0.25, 0.5), 1.0, vec3f(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
     let around_the_belly = local_light_2(turned_to_the_face, vec3f(0.4, 0.1, 0.35), 1.0, vec3f(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
     let turned_from_the_light = Angle(0.5 * length(surface.normal - around_the_belly.direction), 0.5 * length(surface.normal + around_the_belly.direction));
-    let soft_tone = profile(turned_from_the_light, 0.0, soft_tone_shape);
+    let soft_tone = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
     let shadow_under_the_chin = clamp(soft_tone + (1.0 - eased_2(length_of(surface.position_object - vec3f(0.0, 0.02, 0.45)), 0.3 * 0.1, 0.3)) * -0.45, 0.0, 1.0);
     let glint_on_the_brow = clamp(shadow_under_the_chin + (1.0 - eased_2(length_of(surface.position_object - vec3f(-0.2, 0.72, 0.4)), 0.17 * 0.5, 0.17)) * 0.5, 0.0, 1.0);
     let lit = step_filtered(glint_on_the_brow, 0.55, length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));

@@ -39,7 +39,6 @@ struct Varyings {
 };
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -59,11 +58,11 @@ float exp2_stable(float x) {
 
 float log2_stable(float x_1) {
     uint bits = floatBitsToUint(x_1);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -86,16 +85,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float powered(float base, float exponent) {
-    float magnitude = abs(base);
-    float _e5 = log2_stable(max(magnitude, SMALLEST_NORMAL));
-    float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 vec3 half_of(vec3 light, vec3 normal, vec3 view) {
@@ -117,13 +108,12 @@ Reflection reflection_of(vec3 light_1, vec3 normal_1, vec3 view_1) {
     return Reflection(dot(normal_1, light_1), dot(normal_1, view_1), n_h, v_h, _e14);
 }
 
-float cosine_power(float cosine, float sine2_, float exponent_1) {
+float cosine_power(float cosine, float sine2_, float exponent) {
     if ((cosine < 0.7)) {
-        float _e5 = powered(cosine, exponent_1);
-        return _e5;
+        return pow(cosine, exponent);
     }
     float _e12 = log1p_negative(min(sine2_, 0.6));
-    float _e14 = exp2_stable((((0.5 * exponent_1) * LOG2_E) * _e12));
+    float _e14 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e12));
     return _e14;
 }
 
@@ -154,7 +144,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     vec4 _e11 = u_view.eye;

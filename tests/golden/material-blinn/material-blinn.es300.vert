@@ -29,7 +29,6 @@ struct Varyings {
 };
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
 
 layout(std140) uniform ViewBlock { View u_view; };
 

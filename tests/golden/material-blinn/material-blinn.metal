@@ -53,7 +53,6 @@ struct Varyings {
 };
 constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
@@ -73,11 +72,11 @@ float log2_stable(
     float x_1
 ) {
     uint bits = as_type<uint>(x_1);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -107,21 +106,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude, SMALLEST_NORMAL));
-    float _e7 = exp2_stable(exponent * _e5);
-    return (magnitude < SMALLEST_NORMAL) ? 0.0 : _e7;
+    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
 }
 
 metal::float3 half_of(
@@ -157,14 +145,13 @@ Reflection reflection_of(
 float cosine_power(
     float cosine,
     float sine2_,
-    float exponent_1
+    float exponent
 ) {
     if (cosine < 0.7) {
-        float _e5 = powered(cosine, exponent_1);
-        return _e5;
+        return metal::pow(cosine, exponent);
     }
     float _e12 = log1p_negative(metal::min(sine2_, 0.6));
-    float _e14 = exp2_stable(((0.5 * exponent_1) * LOG2_E) * _e12);
+    float _e14 = exp2_stable(((0.5 * exponent) * LOG2_E) * _e12);
     return _e14;
 }
 
@@ -247,7 +234,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
     surface.normal = normal_4;
     metal::float4 _e11 = view_3.eye;

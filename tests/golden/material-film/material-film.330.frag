@@ -36,7 +36,6 @@ struct Varyings {
     vec3 normal;
 };
 const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
@@ -82,31 +81,13 @@ float log1p_negative(float y_1) {
     return (LN_2_ * _e7);
 }
 
-vec2 sin_cos_quarter(float x_2) {
-    float h = (0.5 * x_2);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-vec2 sin_cos(float x_3) {
-    float turns = roundEven((x_3 * 0.31830987));
-    float r = (((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
-}
-
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float footprint_of_vec3_(vec3 v_2) {
@@ -154,8 +135,8 @@ float schlick(float at_normal, float cosine_1) {
 }
 
 float interference(float path, float wavelength) {
-    vec2 _e5 = sin_cos(((PI * path) / wavelength));
-    vec2 half_1 = clamp(_e5, vec2(-1.0), vec2(1.0));
+    float x_2 = ((PI * path) / wavelength);
+    vec2 half_1 = vec2(sin(x_2), cos(x_2));
     return (half_1.x * half_1.x);
 }
 
@@ -331,7 +312,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     vec4 _e11 = u_view.eye;

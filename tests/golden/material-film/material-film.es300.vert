@@ -29,7 +29,6 @@ struct Varyings {
     vec3 normal;
 };
 const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;

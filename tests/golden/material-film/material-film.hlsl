@@ -63,7 +63,6 @@ struct Varyings {
 };
 
 static const float PI = 3.1415927;
-static const float HALF_PI = 1.5707964;
 static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint NOISE_PERLIN = 1u;
@@ -127,35 +126,15 @@ float log1p_negative(float y_1)
     return (LN_2_ * _e7);
 }
 
-float2 sin_cos_quarter(float x_2)
-{
-    float h = (0.5 * x_2);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-float2 sin_cos(float x_3)
-{
-    float turns = round((x_3 * 0.31830987));
-    float r = (((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
-}
-
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float footprint_of_vec3_(float3 v_2)
@@ -222,8 +201,8 @@ float schlick(float at_normal, float cosine_1)
 
 float interference(float path, float wavelength)
 {
-    const float2 _e5 = sin_cos(((PI * path) / wavelength));
-    float2 half_1 = clamp(_e5, (-1.0).xx, (1.0).xx);
+    float x_2 = ((PI * path) / wavelength);
+    float2 half_1 = float2(sin(x_2), cos(x_2));
     return (half_1.x * half_1.x);
 }
 
@@ -446,7 +425,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_6;
     float4 _e11 = view_4.eye;

@@ -56,7 +56,6 @@ struct Varyings {
     metal::float3 normal;
 };
 constant float PI = 3.1415927;
-constant float HALF_PI = 1.5707964;
 constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint NOISE_PERLIN = 1u;
@@ -105,27 +104,6 @@ float log1p_negative(
     return LN_2_ * _e7;
 }
 
-metal::float2 sin_cos_quarter(
-    float x_2
-) {
-    float h = 0.5 * x_2;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
-}
-
-metal::float2 sin_cos(
-    float x_3
-) {
-    float turns = metal::rint(x_3 * 0.31830987);
-    float r = ((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
-    metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
-    return sign * _e27;
-}
-
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -134,11 +112,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
 }
 
 float footprint_of_vec3_(
@@ -215,8 +192,8 @@ float interference(
     float path,
     float wavelength
 ) {
-    metal::float2 _e5 = sin_cos((PI * path) / wavelength);
-    metal::float2 half_1 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
+    float x_2 = (PI * path) / wavelength;
+    metal::float2 half_1 = metal::float2(metal::sin(x_2), metal::cos(x_2));
     return half_1.x * half_1.x;
 }
 
@@ -489,7 +466,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_4 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
     surface.normal = normal_4;
     metal::float4 _e11 = view_4.eye;

@@ -54,7 +54,6 @@ struct Light {
 }
 
 const PI: f32 = 3.14159265358979323846;
-const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -97,35 +96,6 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
-}
-
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
-/// quarter turn.
-fn sin_cos(x: f32) -> vec2f {
-    let turns = round(x * 0.318309886183790672);
-    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
-    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
-    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -133,10 +103,10 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -206,7 +176,8 @@ fn schlick(at_normal: f32, cosine: f32) -> f32 {
 /// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
 /// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
-    let half = clamp(sin_cos(PI * path / wavelength), vec2f(-1.0), vec2f(1.0));
+    let x = PI * path / wavelength;
+    let half = vec2f(sin(x), cos(x));
     return half.x * half.x;
 }
 
@@ -357,7 +328,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

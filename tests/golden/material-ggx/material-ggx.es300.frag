@@ -50,9 +50,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 vec3 half_of(vec3 light, vec3 normal, vec3 view) {
@@ -109,7 +108,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     vec4 _e11 = u_view.eye;

@@ -82,10 +82,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float3 half_of(float3 light, float3 normal, float3 view)
@@ -178,7 +177,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     float4 _e11 = view_2.eye;

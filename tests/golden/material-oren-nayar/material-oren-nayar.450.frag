@@ -34,14 +34,8 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
 float oren_nayar(vec3 light, vec3 normal, vec3 view, float sigma) {
@@ -69,7 +63,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -68,16 +68,9 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-float3 normalize_moderate(float3 v, float3 otherwise)
+float3 normalize_seen_balanced(float3 v)
 {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
 float oren_nayar(float3 light, float3 normal, float3 view, float sigma)
@@ -126,7 +119,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

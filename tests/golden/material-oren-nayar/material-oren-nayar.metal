@@ -45,19 +45,10 @@ struct Varyings {
     metal::float3 normal;
 };
 
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 float oren_nayar(
@@ -134,7 +125,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

@@ -53,7 +53,6 @@ struct Varyings {
 
 static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const float SMALLEST_NORMAL = 1.1754944e-38;
 
 cbuffer view_1 : register(b0) { View view_1; }
 cbuffer object : register(b1) { Object object; }
@@ -88,11 +87,11 @@ float exp2_stable(float x)
 float log2_stable(float x_1)
 {
     uint bits = asuint(x_1);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -118,18 +117,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+float3 normalize_seen_balanced(float3 v_1)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float powered(float base, float exponent)
-{
-    float magnitude = abs(base);
-    const float _e5 = log2_stable(max(magnitude, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
+    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -143,14 +133,13 @@ float sine_squared(float3 a, float3 b)
     return min(dot(across, across), 1.0);
 }
 
-float cosine_power(float cosine, float sine2_, float exponent_1)
+float cosine_power(float cosine, float sine2_, float exponent)
 {
     if ((cosine < 0.7)) {
-        const float _e7 = powered(max(cosine, 0.0), exponent_1);
-        return _e7;
+        return pow(max(cosine, 0.0), exponent);
     }
     const float _e14 = log1p_negative(min(sine2_, 0.6));
-    const float _e16 = exp2_stable((((0.5 * exponent_1) * LOG2_E) * _e14));
+    const float _e16 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e14));
     return _e16;
 }
 
@@ -199,7 +188,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

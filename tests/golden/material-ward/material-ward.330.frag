@@ -68,9 +68,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_2) {
+    return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
 vec3 any_orthogonal(vec3 n) {
@@ -130,7 +129,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal, v_tangent);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     vec4 _e11 = u_view.eye;

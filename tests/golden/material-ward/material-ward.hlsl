@@ -113,10 +113,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_seen(float3 v_2)
+float3 normalize_seen_balanced(float3 v_2)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
 float3 any_orthogonal(float3 n)
@@ -204,7 +203,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_6;
     float4 _e11 = view_3.eye;

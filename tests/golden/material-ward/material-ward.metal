@@ -93,11 +93,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_seen(
+metal::float3 normalize_seen_balanced(
     metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
 }
 
 metal::float3 any_orthogonal(
@@ -231,7 +230,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4, varyings_1.tangent_2 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
     surface.normal = normal_4;
     metal::float4 _e11 = view_3.eye;

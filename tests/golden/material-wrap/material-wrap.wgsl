@@ -95,20 +95,10 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
@@ -141,7 +131,7 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
 /// digits.
 fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     if cosine < 0.7 {
-        return powered(cosine, exponent);
+        return pow(cosine, exponent);
     }
     return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
@@ -193,7 +183,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

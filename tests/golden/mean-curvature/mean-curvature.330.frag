@@ -42,30 +42,6 @@ uniform sampler2D u_curvature_map;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
@@ -76,11 +52,11 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -91,47 +67,30 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float powered(float base, float exponent) {
-    float magnitude_1 = abs(base);
-    float _e5 = log2_stable(max(magnitude_1, SMALLEST_NORMAL));
-    float _e7 = exp2_stable_2_((exponent * _e5));
-    return ((magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float _e3 = powered(size, 0.41666666);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
 vec3 oklab_of_linear(vec3 rgb) {
-    float _e6 = log2_stable(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    float _e15 = log2_stable(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable_2_((0.33333334 * _e15));
-    float _e24 = log2_stable(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable_2_((0.33333334 * _e24));
-    return vec3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
+    float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
+    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 vec3 oklab_of_srgb(vec3 coded) {
-    float _e6 = log2_stable(((coded.x + 0.055) / 1.055));
-    float _e9 = exp2_stable_2_((2.4 * _e6));
-    float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
-    float _e18 = exp2_stable_2_((2.4 * _e15));
-    float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
-    float _e27 = exp2_stable_2_((2.4 * _e24));
-    vec3 _e29 = oklab_of_linear(vec3(_e9, _e18, _e27));
-    return _e29;
+    vec3 _e23 = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return _e23;
 }
 
 vec3 srgb_of_oklab(vec3 lab_1) {
@@ -142,7 +101,7 @@ vec3 srgb_of_oklab(vec3 lab_1) {
     return vec3(_e3, _e5, _e7);
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4) {
+RampPlace ramp_place(Ramp ramp, float x_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -165,7 +124,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_1) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 6u);
@@ -173,7 +132,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
     uint _e39 = at;
     float place = places[(_e35 / 4u)][(_e39 % 4u)];
     float _e51 = places[(after / 4u)][(after % 4u)];
-    float _e53 = divided((x_4 - place), (_e51 - place));
+    float _e53 = divided((x_1 - place), (_e51 - place));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     vec4 _e59 = colors[_e57];
@@ -181,16 +140,8 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
     return RampPlace(_e59, _e61, t);
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_2 = min(abs(a_1), 50.0);
-    if ((magnitude_2 < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude_2));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_1 : -(t_1));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 vec4 ramp_oklab(float value, Ramp ramp_1) {
@@ -208,7 +159,7 @@ float reflectance_half_lambert(Light light_1, vec3 normal) {
 
 vec4 shade(Surface surface_1) {
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e14 = curvature_signed(curvature, 0.045);
+    float _e14 = curvature_signed_balanced(curvature, 0.045);
     float from_hollow_to_ridge = (0.5 + (0.5 * _e14));
     vec4 _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     Light _e23 = u_look.key;

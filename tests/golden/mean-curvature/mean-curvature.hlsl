@@ -106,37 +106,6 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x)
-{
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
@@ -149,12 +118,12 @@ float3 normalize_seen(float3 v_1)
     return _e5;
 }
 
-float bounded(float x_3)
+float bounded(float x)
 {
-    uint bits_1 = asuint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b)
@@ -166,52 +135,34 @@ float divided(float a, float b)
     return _e7;
 }
 
-float powered(float base, float exponent)
-{
-    float magnitude_1 = abs(base);
-    const float _e5 = log2_stable(max(magnitude_1, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable_2_((exponent * _e5));
-    return ((magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    const float _e3 = powered(size, 0.41666666);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
 float3 oklab_of_linear(float3 rgb)
 {
-    const float _e6 = log2_stable(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)));
-    const float _e9 = exp2_stable_2_((0.33333334 * _e6));
-    const float _e15 = log2_stable(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)));
-    const float _e18 = exp2_stable_2_((0.33333334 * _e15));
-    const float _e24 = log2_stable(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)));
-    const float _e27 = exp2_stable_2_((0.33333334 * _e24));
-    return float3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
+    float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
+    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 float3 oklab_of_srgb(float3 coded)
 {
-    const float _e6 = log2_stable(((coded.x + 0.055) / 1.055));
-    const float _e9 = exp2_stable_2_((2.4 * _e6));
-    const float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
-    const float _e18 = exp2_stable_2_((2.4 * _e15));
-    const float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
-    const float _e27 = exp2_stable_2_((2.4 * _e24));
-    const float3 _e29 = oklab_of_linear(float3(_e9, _e18, _e27));
-    return _e29;
+    const float3 _e23 = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return _e23;
 }
 
 float3 srgb_of_oklab(float3 lab_1)
@@ -239,7 +190,7 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4)
+RampPlace ramp_place(Ramp ramp, float x_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -267,7 +218,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[min(uint(naga_div(_e16, 4u)), 3u)][min(uint(naga_mod(_e20, 4u)), 3u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_1) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 6u);
@@ -275,7 +226,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
     uint _e39 = at;
     float place = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
     float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e53 = divided((x_4 - place), (_e51 - place));
+    const float _e53 = divided((x_1 - place), (_e51 - place));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     float4 _e59 = colors[min(uint(_e57), 15u)];
@@ -284,17 +235,9 @@ RampPlace ramp_place(Ramp ramp, float x_4)
     return rampplace;
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_2 = min(abs(a_1), 50.0);
-    if ((magnitude_2 < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_2));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_1 : -(t_1));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 float4 ramp_oklab(float value, Ramp ramp_1)
@@ -315,7 +258,7 @@ float reflectance_half_lambert(Light light_1, float3 normal)
 float4 shade(Surface surface_1)
 {
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e14 = curvature_signed(curvature, 0.045);
+    const float _e14 = curvature_signed_balanced(curvature, 0.045);
     float from_hollow_to_ridge = (0.5 + (0.5 * _e14));
     const float4 _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     Light _e23 = look.key;

@@ -66,40 +66,6 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp hollow_flat_ridge = Ramp {type_6 {{metal::float4(0.0588, 0.1294, 0.2706, 1.0), metal::float4(0.1843, 0.3725, 0.5412, 1.0), metal::float4(0.7255, 0.7647, 0.7059, 1.0), metal::float4(0.9255, 0.8902, 0.7961, 1.0), metal::float4(0.8902, 0.749, 0.502, 1.0), metal::float4(0.7804, 0.4627, 0.1843, 1.0), metal::float4(1.0, 0.9529, 0.8627, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.25, 0.44, 0.5), metal::float4(0.6, 0.8, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
-) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -116,12 +82,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_3
+    float x
 ) {
-    uint bits_1 = as_type<uint>(x_3);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 float divided(
@@ -135,58 +101,38 @@ float divided(
     return _e7;
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude_1 = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude_1, SMALLEST_NORMAL));
-    float _e7 = exp2_stable_2_(exponent * _e5);
-    return (magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7;
-}
-
 float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float _e3 = powered(size, 0.41666666);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055);
+    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
     return (light < 0.0) ? -(value_1) : value_1;
 }
 
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float _e6 = log2_stable(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)));
-    float _e9 = exp2_stable_2_(0.33333334 * _e6);
-    float _e15 = log2_stable(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)));
-    float _e18 = exp2_stable_2_(0.33333334 * _e15);
-    float _e24 = log2_stable(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)));
-    float _e27 = exp2_stable_2_(0.33333334 * _e24);
-    return metal::float3(((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27), ((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27), ((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
+    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    float _e6 = log2_stable((coded.x + 0.055) / 1.055);
-    float _e9 = exp2_stable_2_(2.4 * _e6);
-    float _e15 = log2_stable((coded.y + 0.055) / 1.055);
-    float _e18 = exp2_stable_2_(2.4 * _e15);
-    float _e24 = log2_stable((coded.z + 0.055) / 1.055);
-    float _e27 = exp2_stable_2_(2.4 * _e24);
-    metal::float3 _e29 = oklab_of_linear(metal::float3(_e9, _e18, _e27));
-    return _e29;
+    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return _e23;
 }
 
 metal::float3 srgb_of_oklab(
@@ -209,7 +155,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 RampPlace ramp_place(
     Ramp ramp,
-    float x_4
+    float x_1
 ) {
     type_6 colors = {};
     type_7 places = {};
@@ -236,7 +182,7 @@ RampPlace ramp_place(
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_4) ? _e15 : _e14;
+        at = (_e24 <= x_1) ? _e15 : _e14;
     }
     uint _e30 = at;
     uint after = metal::min(_e30 + 1u, 6u);
@@ -244,7 +190,7 @@ RampPlace ramp_place(
     uint _e39 = at;
     float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
     float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_4 - place, _e51 - place);
+    float _e53 = divided(x_1 - place, _e51 - place);
     float t = metal::clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     metal::float4 _e59 = colors.inner[_e57];
@@ -252,19 +198,11 @@ RampPlace ramp_place(
     return RampPlace {_e59, _e61, t};
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude_2 = metal::min(metal::abs(a_1), 50.0);
-    if (magnitude_2 < 0.0625) {
-        float a2_ = a_1 * a_1;
-        return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_2);
-    float t_1 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_1 >= 0.0) ? t_1 : -(t_1);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 Color ramp_oklab(
@@ -291,7 +229,7 @@ metal::float4 shade(
     constant Look& look
 ) {
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e14 = curvature_signed(curvature, 0.045);
+    float _e14 = curvature_signed_balanced(curvature, 0.045);
     float from_hollow_to_ridge = 0.5 + (0.5 * _e14);
     Color _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     Light _e23 = look.key;

@@ -64,41 +64,6 @@ struct Ramp {
     interpolation: u32,
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -130,20 +95,11 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable_2(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
-}
-
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
 /// size.
 fn srgb_of_linear(light: f32) -> f32 {
     let size = abs(light);
-    let value = select(1.055 * powered(size, 0.4166666666666667) - 0.055, size * 12.92, size
+    let value = select(1.055 * pow(size, 0.4166666666666667) - 0.055, size * 12.92, size
         <= 0.0031308);
     return select(value, -value, light < 0.0);
 }
@@ -151,12 +107,9 @@ fn srgb_of_linear(light: f32) -> f32 {
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
 /// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
-    let l = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.4122214708,
-        0.5363325363, 0.0514459929))));
-    let m = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.2119034982,
-        0.6806995451, 0.1073969566))));
-    let s = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.0883024619,
-        0.2817188376, 0.6299787005))));
+    let l = pow(dot(rgb, vec3f(0.4122214708, 0.5363325363, 0.0514459929)), 0.3333333333333333);
+    let m = pow(dot(rgb, vec3f(0.2119034982, 0.6806995451, 0.1073969566)), 0.3333333333333333);
+    let s = pow(dot(rgb, vec3f(0.0883024619, 0.2817188376, 0.6299787005)), 0.3333333333333333);
     return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
         - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
         * s);
@@ -175,9 +128,8 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(exp2_stable_2(2.4 * log2_stable((coded.x + 0.055) / 1.055)),
-        exp2_stable_2(2.4 * log2_stable((coded.y + 0.055) / 1.055)), exp2_stable_2(2.4
-        * log2_stable((coded.z + 0.055) / 1.055))));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
+        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -215,19 +167,10 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
     return RampPlace(colors[at], colors[after], t);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
@@ -247,7 +190,7 @@ const hollow_flat_ridge = Ramp(array(vec4f(0.0588, 0.1294, 0.2706, 1.0), vec4f(0
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let from_hollow_to_ridge = 0.5 + 0.5 * curvature_signed(curvature, 0.045);
+    let from_hollow_to_ridge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.045);
     let hollow_flat_ridge_2 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     let base = hollow_flat_ridge_2;
     let half_lambert = reflectance_half_lambert(look.key, surface.normal);

@@ -56,7 +56,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
@@ -74,83 +73,28 @@ vec4 finite_vec4_(vec4 v) {
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_1), exponent_1));
 }
 
-float exp2_stable(float x) {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = (clamped_2 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v_1) {
+    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_2) {
-    float y_2 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_3) {
-    float small = min(y_1, x_3);
-    float large = max(y_1, x_3);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_3) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
-}
-
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
 }
 
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
@@ -162,9 +106,9 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
 }
 
 vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    float a_1 = (opacity_1 * color.w);
-    float alpha_1 = (below_1.w + ((tone * a_1) * (1.0 - below_1.w)));
-    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, clamped_1);
+    float a = (opacity_1 * color.w);
+    float alpha_1 = (below_1.w + ((tone * a) * (1.0 - below_1.w)));
+    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a, clamped_1);
     return _e20;
 }
 
@@ -177,65 +121,59 @@ LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     return LitLayer(vec4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
 }
 
-Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return clamp(_e21, 0.0, 1.0);
+float profile_power_quick(float q, float exponent) {
+    float y_1 = min((q * q), 1.0);
+    float _e5 = log2_one_minus(y_1);
+    float power = exp2(max((exponent * _e5), -126.0));
+    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || (shape.kind == PROFILE_AMBIENT))) {
+vec2 profile_place(Angle u_2, ProfileShape shape) {
+    return vec2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+}
+
+float profile_soft_quick(float s, ProfileShape shape_1) {
+    float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
+    return ((s <= 0.0) ? 1.0 : _e5);
+}
+
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_2) {
+    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+}
+
+float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_3) {
+    if ((shape_3.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+    vec2 _e7 = profile_place(u_3, shape_3);
+    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_3.edge_deviation)));
+    if (((shape_3.kind == PROFILE_STEP) || is_narrow)) {
+        float _e20 = profile_ramp_quick(_e7.x, w_1, shape_3);
+        return _e20;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e27 = profile_power(q_1, shape.exponent);
-    return _e27;
+    float _e22 = profile_soft_quick(_e7.x, shape_3);
+    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
+        return _e22;
+    }
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_3);
+    float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_3);
+    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide_1 = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || (shape_1.kind == PROFILE_AMBIENT))) {
-        return _e3;
-    }
-    if (((shape_1.edge_deviation < 0.145) && (w >= (3.4641016 * shape_1.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = atan2_positive(u_4.half_sin, u_4.half_cos);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
-    }
-    vec2 _e48 = sin_cos_tiny((0.19364917 * w));
-    Angle _e49 = angle_turned(u_4, _e48);
-    float _e50 = profile_point(_e49, shape_1);
-    Angle _e55 = angle_turned(u_4, vec2(-(_e48.x), _e48.y));
-    float _e56 = profile_point(_e55, shape_1);
-    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
@@ -244,7 +182,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e14 = u_look.key.direction;
     Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
     ProfileShape _e23 = u_look.body_tone_shape;
-    float _e24 = profile(body_angle, 0.0, _e23);
+    float _e24 = profile_balanced(body_angle, 0.0, _e23);
     Light _e27 = u_look.key;
     vec4 _e30 = u_look.body_color_convex;
     LitLayer _e31 = light_apply(_e27, _e30, _e24);
@@ -255,9 +193,9 @@ vec4 shade(Surface surface_1) {
     float _e60 = u_look.shadow.w;
     vec4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
     Light _e71 = u_look.key;
-    Angle _e74 = parametrization_specular(_e71, surface_1.normal, surface_1.view);
+    Angle _e74 = parametrization_specular_balanced(_e71, surface_1.normal, surface_1.view);
     ProfileShape _e78 = u_look.highlight_tone_shape;
-    float _e79 = profile(_e74, 0.0, _e78);
+    float _e79 = profile_balanced(_e74, 0.0, _e78);
     Light _e82 = u_look.key;
     vec4 _e85 = u_look.highlight_color_convex;
     LitLayer _e86 = light_apply(_e82, _e85, _e79);
@@ -266,7 +204,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e105 = u_look.back.direction;
     Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
     ProfileShape _e114 = u_look.back_light_tone_shape;
-    float _e115 = profile(back_light_angle, 0.0, _e114);
+    float _e115 = profile_balanced(back_light_angle, 0.0, _e114);
     Light _e118 = u_look.back;
     vec4 _e121 = u_look.back_light_color_convex;
     LitLayer _e122 = light_apply(_e118, _e121, _e115);
@@ -279,7 +217,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -48,7 +48,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u);
 const ProfileShape magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u);
@@ -65,96 +64,35 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    return vec2(s_2, c);
 }
 
-float exp2_stable_3_(float x_2) {
-    float clamped_1 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_1);
-    float f_2 = (clamped_1 - whole_2);
-    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
-    return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_eighth(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return vec2(s, c);
-}
-
-vec2 sin_cos_tiny(float x_5) {
-    float y_3 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return vec2(s_1, c_1);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_6) {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
@@ -162,28 +100,12 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude = min(abs(a_1), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2_ = (a_1 * a_1);
-        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_2 : -(t_2));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
-float curvature_signed_2_(float kappa_1, float slope_1) {
-    float a_2 = ((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25);
-    float magnitude_1 = min(abs(a_2), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_1 = (a_2 * a_2);
-        return (a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
-    }
-    float _e33 = exp2_stable((-2.88539 * magnitude_1));
-    float t_3 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_2 >= 0.0) ? t_3 : -(t_3));
+float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
 }
 
 LitLayer light_apply(Light light, vec4 color, float tone) {
@@ -191,140 +113,80 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal);
-    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_2, ProfileShape shape) {
-    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2) {
+    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_3_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_3, ProfileShape shape_1) {
-    float s_4 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_3) {
+    vec2 place_1 = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_2);
+    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_4, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_5, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_5, shape_3);
-    bool is_wide_2 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_1 >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_1));
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_5);
-    return _e8;
-}
-
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_eighth((0.5 * shift_2));
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_4_(Angle angle_3, float shift_3, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_3));
-    Angle _e6 = angle_turned(angle_3, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed(surface_1.kappa, 0.2);
+    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
     float wet_magenta_convexity = (0.5 + (0.5 * _e3));
     vec4 _e18 = curvature_color(wet_magenta_convexity, vec4(0.0706, 0.0627, 0.1647, 1.0), vec4(0.0196, 0.0157, 0.0627, 1.0));
     vec3 _e23 = u_look.street.direction;
     vec3 _e32 = u_look.street.direction;
     Angle the_room_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
     float the_room_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.2);
-    float _e45 = profile(the_room_angle, the_room_warp, the_room_tone_shape);
+    float _e45 = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
     Light _e48 = u_look.street;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
     vec4 the_room_blend = clamp(vec4((vec3(0.0157, 0.0118, 0.0353) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -333,7 +195,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e90 = u_look.cyan.direction;
     Angle cyan_tube_angle = Angle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
     float magenta_haze_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.15);
-    float _e103 = profile_2_(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float _e103 = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
     Light _e106 = u_look.cyan;
     LitLayer _e107 = light_apply(_e106, _e76, _e103);
     vec4 cyan_haze_blend = clamp(vec4((the_room_blend.xyz + (_e107.tone * _e107.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -341,35 +203,35 @@ vec4 shade(Surface surface_1) {
     vec3 _e136 = u_look.magenta.direction;
     vec3 _e145 = u_look.magenta.direction;
     Angle magenta_tube_angle = Angle((0.5 * length((surface_1.normal - _e136))), (0.5 * length((surface_1.normal + _e145))));
-    float _e152 = profile_2_(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float _e152 = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
     Light _e155 = u_look.magenta;
     LitLayer _e156 = light_apply(_e155, _e131, _e152);
     vec4 magenta_haze_blend = clamp(vec4((cyan_haze_blend.xyz + (_e156.tone * _e156.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e172 = curvature_signed_2_(surface_1.kappa, 0.25);
+    float _e172 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
     float magenta_tube_convexity = (0.5 + (0.5 * _e172));
     vec4 _e187 = curvature_color(magenta_tube_convexity, vec4(0.1333, 0.902, 1.0, 1.0), vec4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = (((2.0 * magenta_tube_convexity) - 1.0) * 0.25);
-    float _e195 = profile_3_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    float _e195 = profile_balanced_2_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
     Light _e198 = u_look.cyan;
     LitLayer _e199 = light_apply(_e198, _e187, _e195);
     vec4 cyan_tube_blend = clamp(vec4((magenta_haze_blend.xyz + (_e199.tone * _e199.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e223 = curvature_color(magenta_tube_convexity, vec4(1.0, 0.1725, 0.6588, 1.0), vec4(0.5255, 0.0627, 0.4784, 1.0));
-    float _e225 = profile_3_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    float _e225 = profile_balanced_2_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
     Light _e228 = u_look.magenta;
     LitLayer _e229 = light_apply(_e228, _e223, _e225);
     vec4 magenta_tube_blend = clamp(vec4((cyan_tube_blend.xyz + (_e229.tone * _e229.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e253 = curvature_color(wet_magenta_convexity, vec4(0.2275, 0.6588, 0.7843, 1.0), vec4(0.0627, 0.2902, 0.4157, 1.0));
     Light _e256 = u_look.cyan;
-    Angle _e259 = parametrization_specular(_e256, surface_1.normal, surface_1.view);
+    Angle _e259 = parametrization_specular_balanced(_e256, surface_1.normal, surface_1.view);
     float wet_magenta_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.1);
-    float _e267 = profile_4_(_e259, wet_magenta_warp, wet_magenta_tone_shape);
+    float _e267 = profile_balanced_2_(_e259, wet_magenta_warp, wet_magenta_tone_shape);
     Light _e270 = u_look.cyan;
     LitLayer _e271 = light_apply(_e270, _e253, _e267);
     vec4 wet_cyan_blend = clamp(vec4((magenta_tube_blend.xyz + (_e271.tone * _e271.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 _e295 = curvature_color(wet_magenta_convexity, vec4(0.7843, 0.2275, 0.6039, 1.0), vec4(0.3529, 0.0627, 0.3765, 1.0));
     Light _e298 = u_look.magenta;
-    Angle _e301 = parametrization_specular(_e298, surface_1.normal, surface_1.view);
-    float _e303 = profile_4_(_e301, wet_magenta_warp, wet_magenta_tone_shape);
+    Angle _e301 = parametrization_specular_balanced(_e298, surface_1.normal, surface_1.view);
+    float _e303 = profile_balanced_2_(_e301, wet_magenta_warp, wet_magenta_tone_shape);
     Light _e306 = u_look.magenta;
     LitLayer _e307 = light_apply(_e306, _e295, _e303);
     vec4 output_ = clamp(vec4((wet_cyan_blend.xyz + (_e307.tone * _e307.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -380,7 +242,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

@@ -38,7 +38,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u);
 const ProfileShape magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u);

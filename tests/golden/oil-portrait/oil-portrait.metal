@@ -162,31 +162,6 @@ float log2_stable(
     return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
-metal::float2 sin_cos_eighth(
-    float x_3
-) {
-    float y = x_3 * x_3;
-    float s = x_3 * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 0.0000027557319))))))));
-    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-0.000024801588 + (y * 0.0000002755732)))))))));
-    return metal::float2(s, c);
-}
-
-metal::float2 sin_cos_eighth_2_(
-    float x_4
-) {
-    float s_1 = x_4 * 0.9088517;
-    return metal::float2(s_1, 0.73168886);
-}
-
-metal::float2 sin_cos(
-    float x_5
-) {
-    float turns = metal::rint(x_5 * 0.31830987);
-    float r = ((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    metal::float2 _e13 = sin_cos_eighth(r);
-    return _e13;
-}
-
 metal::float3 normalize_moderate(
     metal::float3 v_2,
     metal::float3 otherwise_1
@@ -203,12 +178,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_6
+    float x_3
 ) {
-    uint bits_1 = as_type<uint>(x_6);
+    uint bits_1 = as_type<uint>(x_3);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float2 bounded_vec2_(
@@ -252,24 +227,24 @@ metal::float4 mixed_vec4_(
 }
 
 float place_between(
-    float x_7,
+    float x_4,
     float low,
     float high
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_7 >= high) ? 1.0 : 0.0;
+        return (x_4 >= high) ? 1.0 : 0.0;
     }
-    float _e13 = bounded((x_7 - low) / span);
+    float _e13 = bounded((x_4 - low) / span);
     return _e13;
 }
 
 float eased(
-    float x_8,
+    float x_5,
     float low_1,
     float high_1
 ) {
-    float _e3 = place_between(x_8, low_1, high_1);
+    float _e3 = place_between(x_5, low_1, high_1);
     float t_1 = metal::clamp(_e3, 0.0, 1.0);
     return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
@@ -412,7 +387,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn_6 = metal::float2(0.0, 1.0);
+    metal::float2 turn_6 = metal::float2(metal::sin(angle), metal::cos(angle));
     metal::float3 _e12 = bounded_vec3_((turn_6.y * along) + (turn_6.x * across));
     metal::float3 _e18 = bounded_vec3_((turn_6.y * across) - (turn_6.x * along));
     metal::float2 turned = metal::float2((turn_6.y * place.x) + (turn_6.x * place.y), (turn_6.y * place.y) - (turn_6.x * place.x));
@@ -427,15 +402,14 @@ StretchedPlace mark_place_of_2_(
     metal::float3 across_1,
     float angle_1
 ) {
-    metal::float2 _e5 = sin_cos_eighth_2_(0.75);
-    metal::float2 turn_7 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
-    metal::float3 x_9 = (turn_7.y * along_1) + (turn_7.x * across_1);
-    metal::float3 y_1 = (turn_7.y * across_1) - (turn_7.x * along_1);
-    metal::float2 _e21 = bounded_vec2_(place_1);
-    metal::float2 turned_1 = metal::float2((turn_7.y * _e21.x) + (turn_7.x * _e21.y), (turn_7.y * _e21.y) - (turn_7.x * _e21.x));
-    metal::float3 stretch_13 = metal::float3(metal::dot(x_9, x_9), metal::dot(x_9, y_1), metal::dot(y_1, y_1));
-    metal::float2 _e41 = bounded_vec2_(turned_1);
-    return StretchedPlace {_e41, {}, stretch_13};
+    metal::float2 turn_7 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
+    metal::float3 x_6 = (turn_7.y * along_1) + (turn_7.x * across_1);
+    metal::float3 y = (turn_7.y * across_1) - (turn_7.x * along_1);
+    metal::float2 _e17 = bounded_vec2_(place_1);
+    metal::float2 turned_1 = metal::float2((turn_7.y * _e17.x) + (turn_7.x * _e17.y), (turn_7.y * _e17.y) - (turn_7.x * _e17.x));
+    metal::float3 stretch_13 = metal::float3(metal::dot(x_6, x_6), metal::dot(x_6, y), metal::dot(y, y));
+    metal::float2 _e37 = bounded_vec2_(turned_1);
+    return StretchedPlace {_e37, {}, stretch_13};
 }
 
 metal::float3 gradient_on_picture(
@@ -493,8 +467,8 @@ SpacedPlace spaced(
     float scale_2 = is_pixel ? (14.0 / metal::max(viewport_1.y, 1.0)) : 14.0;
     metal::float2 p_6 = metal::clamp(place_3 * scale_2, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch);
-    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_2};
+    metal::float3 s = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
 SpacedPlace spaced_2_(
@@ -507,8 +481,8 @@ SpacedPlace spaced_2_(
     float scale_3 = is_pixel_1 ? (18.0 / metal::max(viewport_2.y, 1.0)) : 18.0;
     metal::float2 p_7 = metal::clamp(place_4 * scale_3, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_1);
-    metal::float3 s_3 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_3};
+    metal::float3 s_1 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 SpacedPlace spaced_3_(
@@ -549,8 +523,8 @@ SpacedPlace spaced_5_(
     float scale_6 = is_pixel_4 ? (44.0 / metal::max(viewport_5.y, 1.0)) : 44.0;
     metal::float2 p_10 = metal::clamp(place_7 * scale_6, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_4);
-    metal::float3 s_4 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_4};
+    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_2};
 }
 
 float area_square(
@@ -579,13 +553,13 @@ Brushstroke brush_stroke(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_2, zoom)) + metal::uint3(2654435769u, 2246822507u, 3266489909u));
     metal::float3 chance = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset = p - ((static_cast<metal::float2>(cell_2) + metal::float2(0.5)) + (style_1.scatter * (chance.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(0.5 * (chance.z - 0.5));
-    metal::float2 turn_8 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_2, zoom)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
-    float way = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_7 = 0.5 * (chance.z - 0.5);
+    metal::float2 turn_8 = metal::float2(metal::sin(x_7), metal::cos(x_7));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_2, zoom)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
+    float way = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_3 = Brushstroke {metal::float2(0.5), turn_8, way, 0.0};
-    metal::float2 _e70 = brush_turned(offset * metal::float2(style_1.aspect, 1.0), stroke_3, style_1);
-    metal::float2 uv_1 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned(offset * metal::float2(style_1.aspect, 1.0), stroke_3, style_1);
+    metal::float2 uv_1 = metal::float2(0.5) + _e67;
     metal::float2 from_edge = metal::min(uv_1, metal::float2(1.0) - uv_1);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
     float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style_1.scatter));
@@ -750,13 +724,13 @@ Brushstroke brush_stroke_2_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_3, zoom_1)) + metal::uint3(3041712726u, 596033154u, 2419070270u));
     metal::float3 chance_2 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_1 = p_1 - ((static_cast<metal::float2>(cell_3) + metal::float2(0.5)) + (style_4.scatter * (chance_2.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(0.5 * (chance_2.z - 0.5));
-    metal::float2 turn_9 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_3, zoom_1)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
-    float way_1 = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_8 = 0.5 * (chance_2.z - 0.5);
+    metal::float2 turn_9 = metal::float2(metal::sin(x_8), metal::cos(x_8));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_3, zoom_1)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
+    float way_1 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_4 = Brushstroke {metal::float2(0.5), turn_9, way_1, 0.0};
-    metal::float2 _e70 = brush_turned_2_(offset_1 * metal::float2(style_4.aspect, 1.0), stroke_4, style_4);
-    metal::float2 uv_2 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned_2_(offset_1 * metal::float2(style_4.aspect, 1.0), stroke_4, style_4);
+    metal::float2 uv_2 = metal::float2(0.5) + _e67;
     metal::float2 from_edge_1 = metal::min(uv_2, metal::float2(1.0) - uv_2);
     float inside_1 = metal::clamp(64.0 * metal::min(from_edge_1.x, from_edge_1.y), 0.0, 1.0);
     float far_1 = metal::max(metal::abs(offset_1.x), metal::abs(offset_1.y)) / (1.0 - (0.5 * style_4.scatter));
@@ -859,13 +833,13 @@ Brushstroke brush_stroke_3_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_4, zoom_2)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
     metal::float3 chance_3 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_2 = p_2 - ((static_cast<metal::float2>(cell_4) + metal::float2(0.5)) + (style_6.scatter * (chance_3.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(0.5 * (chance_3.z - 0.5));
-    metal::float2 turn_10 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_4, zoom_2)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
-    float way_2 = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_9 = 0.5 * (chance_3.z - 0.5);
+    metal::float2 turn_10 = metal::float2(metal::sin(x_9), metal::cos(x_9));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_4, zoom_2)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
+    float way_2 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_5 = Brushstroke {metal::float2(0.5), turn_10, way_2, 0.0};
-    metal::float2 _e70 = brush_turned(offset_2 * metal::float2(style_6.aspect, 1.0), stroke_5, style_6);
-    metal::float2 uv_3 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned(offset_2 * metal::float2(style_6.aspect, 1.0), stroke_5, style_6);
+    metal::float2 uv_3 = metal::float2(0.5) + _e67;
     metal::float2 from_edge_2 = metal::min(uv_3, metal::float2(1.0) - uv_3);
     float inside_2 = metal::clamp(64.0 * metal::min(from_edge_2.x, from_edge_2.y), 0.0, 1.0);
     float far_2 = metal::max(metal::abs(offset_2.x), metal::abs(offset_2.y)) / (1.0 - (0.5 * style_6.scatter));
@@ -977,13 +951,13 @@ Brushstroke brush_stroke_4_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_5, zoom_3)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
     metal::float3 chance_4 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_3 = p_3 - ((static_cast<metal::float2>(cell_5) + metal::float2(0.5)) + (style_9.scatter * (chance_4.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(0.5 * (chance_4.z - 0.5));
-    metal::float2 turn_11 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_5, zoom_3)) + metal::uint3(2027808484u, 397355436u, 181057748u));
-    float way_3 = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_10 = 0.5 * (chance_4.z - 0.5);
+    metal::float2 turn_11 = metal::float2(metal::sin(x_10), metal::cos(x_10));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_5, zoom_3)) + metal::uint3(2027808484u, 397355436u, 181057748u));
+    float way_3 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_6 = Brushstroke {metal::float2(0.5), turn_11, way_3, 0.0};
-    metal::float2 _e70 = brush_turned_3_(offset_3 * metal::float2(3.0, 1.0), stroke_6, style_9);
-    metal::float2 uv_4 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned_3_(offset_3 * metal::float2(3.0, 1.0), stroke_6, style_9);
+    metal::float2 uv_4 = metal::float2(0.5) + _e67;
     metal::float2 from_edge_3 = metal::min(uv_4, metal::float2(1.0) - uv_4);
     float inside_3 = metal::clamp(64.0 * metal::min(from_edge_3.x, from_edge_3.y), 0.0, 1.0);
     float far_3 = metal::max(metal::abs(offset_3.x), metal::abs(offset_3.y)) / (1.0 - (0.5 * style_9.scatter));
@@ -1086,13 +1060,13 @@ Brushstroke brush_stroke_5_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_6, zoom_4)) + metal::uint3(2027808484u, 397355436u, 181057748u));
     metal::float3 chance_5 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_4 = p_4 - ((static_cast<metal::float2>(cell_6) + metal::float2(0.5)) + (style_11.scatter * (chance_5.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(style_11.turn * (chance_5.z - 0.5));
-    metal::float2 turn_12 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_6, zoom_4)) + metal::uint3(387276957u, 2644177943u, 3447547657u));
-    float way_4 = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_11 = style_11.turn * (chance_5.z - 0.5);
+    metal::float2 turn_12 = metal::float2(metal::sin(x_11), metal::cos(x_11));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_6, zoom_4)) + metal::uint3(387276957u, 2644177943u, 3447547657u));
+    float way_4 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_7 = Brushstroke {metal::float2(0.5), turn_12, way_4, 0.0};
-    metal::float2 _e70 = brush_turned(offset_4 * metal::float2(style_11.aspect, 1.0), stroke_7, style_11);
-    metal::float2 uv_5 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned(offset_4 * metal::float2(style_11.aspect, 1.0), stroke_7, style_11);
+    metal::float2 uv_5 = metal::float2(0.5) + _e67;
     metal::float2 from_edge_4 = metal::min(uv_5, metal::float2(1.0) - uv_5);
     float inside_4 = metal::clamp(64.0 * metal::min(from_edge_4.x, from_edge_4.y), 0.0, 1.0);
     float far_4 = metal::max(metal::abs(offset_4.x), metal::abs(offset_4.y)) / (1.0 - (0.5 * style_11.scatter));
@@ -1195,13 +1169,13 @@ Brushstroke brush_stroke_6_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_7, zoom_5)) + metal::uint3(4055616968u, 794710872u, 362115496u));
     metal::float3 chance_6 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_5 = p_5 - ((static_cast<metal::float2>(cell_7) + metal::float2(0.5)) + (style_13.scatter * (chance_6.xy - metal::float2(0.5))));
-    metal::float2 _e36 = sin_cos(style_13.turn * (chance_6.z - 0.5));
-    metal::float2 turn_13 = metal::clamp(_e36, metal::float2(-1.0), metal::float2(1.0));
-    metal::uint3 _e49 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_7, zoom_5)) + metal::uint3(2415085441u, 3041533379u, 3628605405u));
-    float way_5 = ((static_cast<metal::float3>(_e49 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    float x_12 = style_13.turn * (chance_6.z - 0.5);
+    metal::float2 turn_13 = metal::float2(metal::sin(x_12), metal::cos(x_12));
+    metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_7, zoom_5)) + metal::uint3(2415085441u, 3041533379u, 3628605405u));
+    float way_5 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_8 = Brushstroke {metal::float2(0.5), turn_13, way_5, 0.0};
-    metal::float2 _e70 = brush_turned_2_(offset_5 * metal::float2(style_13.aspect, 1.0), stroke_8, style_13);
-    metal::float2 uv_6 = metal::float2(0.5) + _e70;
+    metal::float2 _e67 = brush_turned_2_(offset_5 * metal::float2(style_13.aspect, 1.0), stroke_8, style_13);
+    metal::float2 uv_6 = metal::float2(0.5) + _e67;
     metal::float2 from_edge_5 = metal::min(uv_6, metal::float2(1.0) - uv_6);
     float inside_5 = metal::clamp(64.0 * metal::min(from_edge_5.x, from_edge_5.y), 0.0, 1.0);
     float far_5 = metal::max(metal::abs(offset_5.x), metal::abs(offset_5.y)) / (1.0 - (0.5 * style_13.scatter));

@@ -126,34 +126,6 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
-    return vec2f(s, c);
-}
-
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth_2(x: f32) -> vec2f {
-    let s = x * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333 + 0.5625
-        * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
-    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666666666666664 + 0.5625
-        * (0.00138888888888888889 + 0.5625 * (-2.48015873015873e-5 + 0.5625
-        * 2.75573192239858907e-7))));
-    return vec2f(s, c);
-}
-
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
-/// quarter turn.
-fn sin_cos(x: f32) -> vec2f {
-    let turns = round(x * 0.318309886183790672);
-    let r = x - turns * 3.140625 - turns * 0.0009670257568359375 - turns * 6.27832957300962643e-7;
-    return sin_cos_eighth(r);
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -396,7 +368,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     let x = bounded_vec3(turn.y * along + turn.x * across);
     let y = bounded_vec3(turn.y * across - turn.x * along);
     let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
@@ -408,7 +380,7 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of_2(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = clamp(sin_cos_eighth_2(0.75), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);
@@ -907,7 +879,8 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 1u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = 0.5 * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);
@@ -925,7 +898,8 @@ fn brush_stroke_2(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 6u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = 0.5 * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 7u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);
@@ -943,7 +917,8 @@ fn brush_stroke_3(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = 0.5 * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);
@@ -961,7 +936,8 @@ fn brush_stroke_4(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = 0.5 * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);
@@ -979,7 +955,8 @@ fn brush_stroke_5(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(style.turn * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = style.turn * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 5u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);
@@ -997,7 +974,8 @@ fn brush_stroke_6(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
     let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 8u * vec3u(0x9e3779b9u,
         0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = clamp(sin_cos(style.turn * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let x = style.turn * (chance.z - 0.5);
+    let turn = vec2f(sin(x), cos(x));
     let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 9u
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
         < 0.5);

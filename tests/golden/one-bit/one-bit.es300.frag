@@ -66,43 +66,13 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_2) {
-    float y_1 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -114,47 +84,38 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits_2 = floatBitsToUint(v_2);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
+vec2 bounded_vec2_(vec2 v_1) {
+    uvec2 bits_1 = floatBitsToUint(v_1);
+    uvec2 magnitude_1 = (bits_1 & uvec2(2147483647u));
+    vec2 largest_1 = uintBitsToFloat(((bits_1 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_1, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
+float footprint_of(float x_1) {
+    float _e1 = dFdx(x_1);
+    float _e2 = dFdy(x_1);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float footprint_of_2_(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -175,51 +136,29 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
+    vec2 place_2 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place_2.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place_2.x * turn.y) - (place_2.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place_2.x * turn.y) + (place_2.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -237,8 +176,7 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
     float within = ((further / max(edge, 1e-6)) + 0.5);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light.direction - (dot(light.direction, view) * view));
-    vec3 _e42 = normalize_moderate(across, vec3(0.0));
-    float side = dot((normal - (dot(normal, view) * view)), _e42);
+    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -249,26 +187,26 @@ float dither_blue(float value, vec2 place, int levels, float spread, float size)
     return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[_e21] >> (8u * (uint(cell_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
 }
 
-float faded_in(float x_6, float limit, float softness_1) {
-    float _e3 = footprint_of(x_6);
+float faded_in(float x_3, float limit, float softness_1) {
+    float _e3 = footprint_of(x_3);
     float width_2 = length(vec2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    float _e10 = bounded(x_6);
+    float _e10 = bounded(x_3);
     return clamp((0.5 + ((_e10 - 20.0) / width_2)), 0.0, 1.0);
 }
 
 float inner_contour_suggestive(float width_1, float limit_1, float softness_2, vec3 tensor_1, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place_1, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
     vec3 _e10 = tensor_safe(tensor_1);
-    float square_1 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
+    float square = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square, 1e-6));
     float _e36 = dFdx(radial);
     float _e37 = dFdy(radial);
     vec2 change = vec2(_e36, _e37);
-    vec3 v_3 = (camera_from_world * view_1);
+    vec3 v_2 = (camera_from_world * view_1);
     vec3 row = dFdy(place_1);
-    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
     float _e79 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
@@ -279,7 +217,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
     Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
     float _e27 = dither_blue(_e22, surface_1.pixel, 2, 1.0, 2.0);
     Light _e30 = u_look.back;
     float _e36 = rim(_e30, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
@@ -296,7 +234,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     vec4 _e11 = u_view.eye;

@@ -122,53 +122,15 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+float3 normalize_seen_balanced(float3 v)
+{
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float exp2_stable(float x)
+float log2_one_minus(float y)
 {
-    float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_1)
-{
-    uint bits = asuint(x_1);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_2)
-{
-    float y_1 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return float2(s, c);
-}
-
-float3 normalize_moderate(float3 v, float3 otherwise)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -189,54 +151,43 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s_1 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_1, u_1.half_cos));
+    float2 turned = (((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+float bounded(float x)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_2 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_2;
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float bounded(float x_3)
+float2 bounded_vec2_(float2 v_1)
 {
-    uint bits_1 = asuint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float2 bounded_vec2_(float2 v_2)
-{
-    uint2 bits_2 = asuint(v_2);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    uint2 bits_1 = asuint(v_1);
+    uint2 magnitude_1 = (bits_1 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_1 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_1 : numbers);
 }
 
-float footprint_of(float x_4)
+float footprint_of(float x_1)
 {
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
+    float _e1 = ddx(x_1);
+    float _e2 = ddy(x_1);
     float2 d = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_5)
+float footprint_of_2_(float x_2)
 {
-    float _e1 = ddx(x_5);
-    float _e2 = ddy(x_5);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -260,56 +211,32 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_2 = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place_2.x, shape_1);
+    if ((w < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e45 = profile_soft_quick(((place_2.x * turn.y) - (place_2.y * turn.x)), shape_1);
+    const float _e53 = profile_soft_quick(((place_2.x * turn.y) + (place_2.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
 {
-    const float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
-    if (((is_wide | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e16 = angle_turned(u_4, _e15);
-    const float _e17 = profile_point(_e16, shape_1);
-    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_2);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -329,8 +256,7 @@ float rim(Light light, float3 normal, float3 view, float width, float softness, 
     float within = ((further / max(edge, 1e-6)) + 0.5);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light.direction - (dot(light.direction, view) * view));
-    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
-    float side = dot((normal - (dot(normal, view) * view)), _e42);
+    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
@@ -346,11 +272,11 @@ float dither_blue(float value, float2 place, int levels, float spread, float siz
     return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[min(uint(_e21), 255u)] >> (8u * (asuint(cell_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
 }
 
-float faded_in(float x_6, float limit, float softness_1)
+float faded_in(float x_3, float limit, float softness_1)
 {
-    const float _e3 = footprint_of(x_6);
+    const float _e3 = footprint_of(x_3);
     float width_2 = length(float2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    const float _e10 = bounded(x_6);
+    const float _e10 = bounded(x_3);
     return clamp((0.5 + ((_e10 - 20.0) / width_2)), 0.0, 1.0);
 }
 
@@ -358,16 +284,16 @@ float inner_contour_suggestive(float width_1, float limit_1, float softness_2, f
 {
     float3 n = mul(normal_1, camera_from_world);
     const float3 _e10 = tensor_safe(tensor_1);
-    float square_1 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
+    float square = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square, 1e-6));
     float _e36 = ddx(radial);
     float _e37 = ddy(radial);
     float2 change = float2(_e36, _e37);
-    float3 v_3 = mul(view_1, camera_from_world);
+    float3 v_2 = mul(view_1, camera_from_world);
     float3 row = ddy(place_1);
-    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
     const float _e79 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
@@ -379,7 +305,7 @@ float4 shade(Surface surface_1)
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
     Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    const float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
     const float _e27 = dither_blue(_e22, surface_1.pixel, int(2), 1.0, 2.0);
     Light _e30 = look.back;
     const float _e36 = rim(_e30, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
@@ -415,7 +341,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_4;
     float4 _e11 = view_2.eye;

@@ -60,7 +60,7 @@ struct ProfileShape {
     float edge_deviation;
     uint kind;
 };
-struct type_10 {
+struct type_9 {
     uint inner[256];
 };
 struct Vertex {
@@ -73,63 +73,20 @@ struct Varyings {
     metal::float3 normal;
 };
 constant float LOG2_E = 1.442695;
-constant type_10 BLUE_TILE = type_10 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
+constant type_9 BLUE_TILE = type_9 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
 constant ProfileShape tone_shape = ProfileShape {0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float whole = metal::rint(x);
-    float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float log2_stable(
-    float x_1
-) {
-    uint bits = as_type<uint>(x_1);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_2
-) {
-    float y_1 = x_2 * x_2;
-    float s = x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
-    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -146,58 +103,46 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_1 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float bounded(
-    float x_3
+    float x
 ) {
-    uint bits_1 = as_type<uint>(x_3);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_2
+    metal::float2 v_1
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::uint2 bits_1 = as_type<metal::uint2>(v_1);
+    metal::uint2 magnitude_1 = bits_1 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_1 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_1, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float footprint_of(
-    float x_4
+    float x_1
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
+    float _e1 = metal::dfdx(x_1);
+    float _e2 = metal::dfdy(x_1);
     metal::float2 d = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
     return _e6;
 }
 
 float footprint_of_2_(
-    float x_5
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_5);
-    float _e2 = metal::dfdy(x_5);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
@@ -228,65 +173,40 @@ Composite blend_alpha(
     return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_3 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_4,
+float profile_filtered_quick(
+    Angle u_2,
     float w,
     ProfileShape shape_1
 ) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = w < (0.1 * shape_1.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_2 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
+    float _e19 = profile_soft_quick(place_2.x, shape_1);
+    if (w < (0.1 * shape_1.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place_2.x * turn.y) - (place_2.y * turn.x), shape_1);
+    float _e53 = profile_soft_quick((place_2.x * turn.y) + (place_2.y * turn.x), shape_1);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_2
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -313,8 +233,7 @@ float rim(
     float within = (further / metal::max(edge, 0.000001)) + 0.5;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
-    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
-    float side = metal::dot(normal - (metal::dot(normal, view) * view), _e42);
+    float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -336,13 +255,13 @@ float dither_blue(
 }
 
 float faded_in(
-    float x_6,
+    float x_3,
     float limit,
     float softness_1
 ) {
-    float _e3 = footprint_of(x_6);
+    float _e3 = footprint_of(x_3);
     float width_2 = metal::length(metal::float2(metal::min(_e3, 1000000000000000.0), 20.0 * softness_1));
-    float _e10 = bounded(x_6);
+    float _e10 = bounded(x_3);
     return metal::clamp(0.5 + ((_e10 - 20.0) / width_2), 0.0, 1.0);
 }
 
@@ -359,16 +278,16 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal_1;
     metal::float3 _e10 = tensor_safe(tensor_1);
-    float square_1 = metal::dot(n.xy, n.xy);
-    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
+    float square = metal::dot(n.xy, n.xy);
+    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square, 0.000001);
     float _e36 = metal::dfdx(radial);
     float _e37 = metal::dfdy(radial);
     metal::float2 change = metal::float2(_e36, _e37);
-    metal::float3 v_3 = camera_from_world * view_1;
+    metal::float3 v_2 = camera_from_world * view_1;
     metal::float3 row = metal::dfdy(place_1);
-    float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
+    float up = ((row - (metal::dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
     float pixels = (1.5 * height) / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
     float _e79 = faded_in((toward_eye * height) * 0.05, limit_1, softness_2);
@@ -382,7 +301,7 @@ metal::float4 shade(
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
     Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
     float _e27 = dither_blue(_e22, surface_1.pixel, 2, 1.0, 2.0);
     Light _e30 = look.back;
     float _e36 = rim(_e30, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
@@ -441,7 +360,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
     metal::float4 _e11 = view_2.eye;

@@ -43,7 +43,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
@@ -54,82 +53,28 @@ layout(std140) uniform LookBlock { Look u_look; };
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_2) {
-    float y_2 = (x_2 * x_2);
-    float s = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
-}
-
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(float y_1, float x_3) {
-    float small = min(y_1, x_3);
-    float large = max(y_1, x_3);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_3) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_4, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_3 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_1.half_cos));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
-}
-
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
 }
 
 LitLayer light_apply(Light light, vec4 color, float tone) {
@@ -137,125 +82,87 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e20 = exp2_stable(_e19);
-    return min(_e20, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e7 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(_e7), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_2, 1.0);
-    return _e17;
+float profile_soft_quick_2_(float s_1, ProfileShape shape_1) {
+    float q_1 = (s_1 * shape_1.scale);
+    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
+    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_1.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
-    }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable((exponent_1 * _e19));
-    return min(_e21, 1.0);
+float profile_ramp_quick(float s_2, float w, ProfileShape shape_2) {
+    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_3) {
+    vec2 place = vec2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place.x, w_1, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
+float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_4) {
+    vec2 place_1 = vec2(((u_3.half_sin * shape_4.half_cos_offset) - (u_3.half_cos * shape_4.half_sin_offset)), ((u_3.half_cos * shape_4.half_cos_offset) + (u_3.half_sin * shape_4.half_sin_offset)));
+    float _e19 = profile_soft_quick(place_1.x, shape_4);
+    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
+        return _e19;
     }
-    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
-        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+    float r_1 = (0.19364917 * w_2);
+    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e45 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
+    float _e53 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_2 = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
+float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_5) {
+    vec2 place_2 = vec2(((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset)), ((u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset)));
+    float _e19 = profile_soft_quick_2_(place_2.x, shape_5);
+    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
+        return _e19;
     }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    float r_2 = (0.19364917 * w_3);
+    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    float _e45 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
+    float _e53 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered_3_(Angle u_7, float w_2, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_3 = (w_2 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_3 || (w_2 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e16 = angle_turned(u_7, _e15);
-    float _e17 = profile_point_2_(_e16, shape_4);
-    Angle _e22 = angle_turned(u_7, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_4);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_6) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_6) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
+    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
     return _e8;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_7) {
-    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
+    Angle _e6 = angle_turned(angle_2, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
     return _e8;
 }
 
@@ -263,21 +170,21 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.window.direction;
     vec3 _e14 = u_look.window.direction;
     Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(body_angle, 0.0, body_tone_shape);
+    float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
     Light _e25 = u_look.window;
     LitLayer _e31 = light_apply(_e25, vec4(0.18708, 0.62392, 0.48886, 1.0), _e22);
     vec4 body_blend = clamp(vec4((vec3(0.14678, 0.1201, 0.28662) + (_e31.tone * _e31.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e52 = u_look.lamp.direction;
     vec3 _e61 = u_look.lamp.direction;
     Angle light_angle = Angle((0.5 * length((surface_1.normal - _e52))), (0.5 * length((surface_1.normal + _e61))));
-    float _e69 = profile_2_(light_angle, 0.0, light_tone_shape);
+    float _e69 = profile_balanced_2_(light_angle, 0.0, light_tone_shape);
     Light _e72 = u_look.lamp;
     LitLayer _e78 = light_apply(_e72, vec4(0.81701, 0.67278, 0.30725, 1.0), _e69);
     vec4 light_blend = clamp(vec4((body_blend.xyz + (_e78.tone * _e78.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e96 = u_look.back.direction;
     vec3 _e105 = u_look.back.direction;
     Angle behind_angle = Angle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
-    float _e113 = profile_3_(behind_angle, 0.0, behind_tone_shape);
+    float _e113 = profile_balanced_3_(behind_angle, 0.0, behind_tone_shape);
     Light _e116 = u_look.back;
     LitLayer _e122 = light_apply(_e116, vec4(0.08, 0.09, 0.1, 1.0), _e113);
     vec4 output_ = clamp(vec4((light_blend.xyz + (_e122.tone * _e122.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
@@ -288,7 +195,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
     surface.normal = normal;
     Surface _e8 = surface;

@@ -36,7 +36,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);

@@ -64,84 +64,22 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
 constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
 constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x
+metal::float3 normalize_seen_balanced(
+    metal::float3 v
 ) {
-    float whole = metal::rint(x);
-    float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
-float log2_stable(
-    float x_1
-) {
-    uint bits = as_type<uint>(x_1);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
+float log2_one_minus(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_2
-) {
-    float y_2 = x_2 * x_2;
-    float s = x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
-float atan2_positive(
-    float y_1,
-    float x_3
-) {
-    float small = metal::min(y_1, x_3);
-    float large = metal::max(y_1, x_3);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_3) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -150,30 +88,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w_4 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_4, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_3 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, u_1.half_cos);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
 }
 
 LitLayer light_apply(
@@ -185,161 +111,121 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e20 = exp2_stable(_e19);
-    return metal::min(_e20, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_3 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_3 * shape.scale;
-    float _e17 = profile_power(q_2, 1.0);
-    return _e17;
+    float q = s * shape.scale;
+    float _e7 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(_e7), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_soft_quick_2_(
+    float s_1,
     ProfileShape shape_1
 ) {
-    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_4 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float q_1 = s_1 * shape_1.scale;
+    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
+    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_1.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_5,
+float profile_ramp_quick(
+    float s_2,
     float w,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w <= 0.0)) | false) {
-        return _e3;
-    }
-    if (true & (w >= (3.4641016 * shape_2.edge_deviation))) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
-        return metal::clamp(0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
-    }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
-    Angle _e45 = angle_turned(u_5, _e44);
-    float _e46 = profile_point(_e45, shape_2);
-    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point(_e51, shape_2);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
+    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_2.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
+float profile_filtered_quick(
+    Angle u_2,
     float w_1,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset), (u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_1 > 0.0) & (w_1 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place.x, w_1, shape_3);
+        return _e28;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float _e30 = profile_soft_quick(place.x, shape_3);
+    if (w_1 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
+    }
+    float r = 0.19364917 * w_1;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
+    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile_filtered_3_(
-    Angle u_7,
+float profile_filtered_quick_2_(
+    Angle u_3,
     float w_2,
     ProfileShape shape_4
 ) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_3 = w_2 < (0.1 * shape_4.edge_deviation);
-    if ((is_wide_3 | (w_2 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_4.half_cos_offset) - (u_3.half_cos * shape_4.half_sin_offset), (u_3.half_cos * shape_4.half_cos_offset) + (u_3.half_sin * shape_4.half_sin_offset));
+    float _e19 = profile_soft_quick(place_1.x, shape_4);
+    if (w_2 < (0.1 * shape_4.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
-    Angle _e16 = angle_turned(u_7, _e15);
-    float _e17 = profile_point_2_(_e16, shape_4);
-    Angle _e22 = angle_turned(u_7, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_2_(_e22, shape_4);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r_1 = 0.19364917 * w_2;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e45 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_4);
+    float _e53 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_4);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile(
-    Angle angle,
-    float shift,
+float profile_filtered_quick_3_(
+    Angle u_4,
+    float w_3,
     ProfileShape shape_5
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_5);
-    return _e8;
+    metal::float2 place_2 = metal::float2((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset), (u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset));
+    float _e19 = profile_soft_quick_2_(place_2.x, shape_5);
+    if (w_3 < (0.1 * shape_5.edge_deviation)) {
+        return _e19;
+    }
+    float r_2 = 0.19364917 * w_3;
+    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
+    float _e45 = profile_soft_quick_2_((place_2.x * turn_2.y) - (place_2.y * turn_2.x), shape_5);
+    float _e53 = profile_soft_quick_2_((place_2.x * turn_2.y) + (place_2.y * turn_2.x), shape_5);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_2_(
-    Angle angle_1,
-    float shift_1,
+float profile_balanced(
+    Angle angle,
+    float shift,
     ProfileShape shape_6
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_3_(
-    Angle angle_2,
-    float shift_2,
+float profile_balanced_2_(
+    Angle angle_1,
+    float shift_1,
     ProfileShape shape_7
 ) {
-    Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
+    return _e8;
+}
+
+float profile_balanced_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_8
+) {
+    Angle _e6 = angle_turned(angle_2, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
     return _e8;
 }
 
@@ -350,21 +236,21 @@ metal::float4 shade(
     metal::float3 _e5 = look.window.direction;
     metal::float3 _e14 = look.window.direction;
     Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(body_angle, 0.0, body_tone_shape);
+    float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
     Light _e25 = look.window;
     LitLayer _e31 = light_apply(_e25, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e22);
     metal::float4 body_blend = metal::clamp(metal::float4(metal::float3(0.14678, 0.1201, 0.28662) + (_e31.tone * _e31.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 _e52 = look.lamp.direction;
     metal::float3 _e61 = look.lamp.direction;
     Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e52), 0.5 * metal::length(surface_1.normal + _e61)};
-    float _e69 = profile_2_(light_angle, 0.0, light_tone_shape);
+    float _e69 = profile_balanced_2_(light_angle, 0.0, light_tone_shape);
     Light _e72 = look.lamp;
     LitLayer _e78 = light_apply(_e72, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e69);
     metal::float4 light_blend = metal::clamp(metal::float4(body_blend.xyz + (_e78.tone * _e78.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 _e96 = look.back.direction;
     metal::float3 _e105 = look.back.direction;
     Angle behind_angle = Angle {0.5 * metal::length(surface_1.normal - _e96), 0.5 * metal::length(surface_1.normal + _e105)};
-    float _e113 = profile_3_(behind_angle, 0.0, behind_tone_shape);
+    float _e113 = profile_balanced_3_(behind_angle, 0.0, behind_tone_shape);
     Light _e116 = look.back;
     LitLayer _e122 = light_apply(_e116, metal::float4(0.08, 0.09, 0.1, 1.0), _e113);
     metal::float4 output = metal::clamp(metal::float4(light_blend.xyz + (_e122.tone * _e122.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -412,7 +298,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
     surface.normal = normal;
     Surface _e8 = surface;

@@ -59,79 +59,19 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -146,21 +86,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
-    return Angle(turned.x, turned.y);
-}
-
-/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
-fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin - u.half_cos * 0.0;
-    let c = u.half_cos + u.half_sin * 0.0;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -199,138 +127,94 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, 1.0);
+    return select(select(min(exp2(log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q >= 1.0), 1.0, s
+        <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power_2(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(log_base), 1.0);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
+    let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_2(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
+    if false | is_narrow {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
-            u.half_cos)) / width, 0.0, 1.0);
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick_2(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_2(angle_turned(u, reach), shape);
-    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_3(warped, angle_footprint(warped), shape);
+fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 const body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
@@ -340,15 +224,15 @@ const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.779156
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let body_angle = Angle(0.5 * length(surface.normal - look.window.direction), 0.5 * length(surface.normal + look.window.direction));
-    let body_tone = profile(body_angle, 0.0, body_tone_shape);
+    let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.window, vec4f(0.18708, 0.62392, 0.48886, 1.0), body_tone);
     let body_blend = clamp(vec4f(vec4f(0.14678, 0.1201, 0.28662, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let light_angle = Angle(0.5 * length(surface.normal - look.lamp.direction), 0.5 * length(surface.normal + look.lamp.direction));
-    let light_tone = profile_2(light_angle, 0.0, light_tone_shape);
+    let light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.lamp, vec4f(0.81701, 0.67278, 0.30725, 1.0), light_tone);
     let light_blend = clamp(vec4f(body_blend.xyz + light_lit.tone * light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let behind_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
-    let behind_tone = profile_3(behind_angle, 0.0, behind_tone_shape);
+    let behind_tone = profile_balanced_3(behind_angle, 0.0, behind_tone_shape);
     let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
     let behind_blend = clamp(vec4f(light_blend.xyz + behind_lit.tone * behind_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = behind_blend;
@@ -376,7 +260,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

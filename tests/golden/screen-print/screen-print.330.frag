@@ -60,57 +60,13 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_quarter(float x_3) {
-    float h = (0.5 * x_3);
+vec2 sin_cos_quarter(float x) {
+    float h = (0.5 * x);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-vec2 sin_cos_eighth(float x_4) {
-    float y_1 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return vec2(s_1, c_1);
-}
-
-vec2 sin_cos_tiny(float x_5) {
-    float y_2 = (x_5 * x_5);
-    float s_2 = (x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c_2 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s_2, c_2);
+    return vec2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
 }
 
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
@@ -123,6 +79,11 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+}
+
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -132,54 +93,45 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_3 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_4 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_4 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_4));
-    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < c_4)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
-}
-
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0));
+float bounded(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits_2 = floatBitsToUint(v_2);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
+    uvec2 bits_1 = floatBitsToUint(v_2);
+    uvec2 magnitude_1 = (bits_1 & uvec2(2147483647u));
+    vec2 largest_1 = uintBitsToFloat(((bits_1 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
     return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-float place_between(float x_7, float low, float high) {
+float place_between(float x_2, float low, float high) {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
+        return ((x_2 >= high) ? 1.0 : 0.0);
     }
-    float _e13 = bounded(((x_7 - low) / span));
+    float _e13 = bounded(((x_2 - low) / span));
     return _e13;
 }
 
-float eased(float x_8, float low_1, float high_1) {
-    float _e3 = place_between(x_8, low_1, high_1);
-    float t_2 = clamp(_e3, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+float eased(float x_3, float low_1, float high_1) {
+    float _e3 = place_between(x_3, low_1, high_1);
+    float t_1 = clamp(_e3, 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float footprint_of(float x_9) {
-    float _e1 = dFdx(x_9);
-    float _e2 = dFdy(x_9);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d_2 = vec2(_e1, _e2);
     return sqrt(dot(d_2, d_2));
 }
@@ -190,8 +142,8 @@ vec2 footprint_of_vec2_(vec2 v_3) {
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
-float step_filtered(float x_10, float edge, float w) {
-    float d_3 = (x_10 - edge);
+float step_filtered(float x_5, float edge, float w) {
+    float d_3 = (x_5 - edge);
     return ((w < 1e-30) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_3 / w)), 0.0, 1.0));
 }
 
@@ -199,120 +151,62 @@ vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
     return vec4(mix(a.xyz, (a.xyz * b.xyz), 1.0), 1.0);
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a_2 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
-    float magnitude_2 = min(abs(a_2), 50.0);
-    if ((magnitude_2 < 0.0625)) {
-        float a2_ = (a_2 * a_2);
-        return (a_2 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e33 = exp2_stable((-2.88539 * magnitude_2));
-    float t_3 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_2 >= 0.0) ? t_3 : -(t_3));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_5 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1) {
+    vec2 place_4 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place_4.x, shape_1);
+    if ((w_1 < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_5 * shape.scale);
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r_2 = (0.19364917 * w_1);
+    vec2 turn = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    float _e45 = profile_soft_quick(((place_4.x * turn.y) - (place_4.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place_4.x * turn.y) + (place_4.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w_1, ProfileShape shape_1) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w_1 < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
 vec2 turned_by(vec2 p, float angle_1) {
-    vec2 turn = vec2(0.0, 1.0);
-    return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
+    vec2 turn_1 = vec2(sin(angle_1), cos(angle_1));
+    return vec2(((turn_1.y * p.x) - (turn_1.x * p.y)), ((turn_1.x * p.x) + (turn_1.y * p.y)));
 }
 
-vec2 turned_by_2_(vec2 p_1, float angle_2) {
-    vec2 _e8 = sin_cos_eighth((((angle_2 - 0.0) - 0.0) - 0.0));
-    vec2 turn_1 = clamp(_e8, vec2(-1.0), vec2(1.0));
-    return vec2(((turn_1.y * p_1.x) - (turn_1.x * p_1.y)), ((turn_1.x * p_1.x) + (turn_1.y * p_1.y)));
-}
-
-vec2 turned_by_3_(vec2 p_2, float angle_3) {
-    vec2 _e8 = sin_cos_quarter((((angle_3 - 0.0) - 0.0) - 0.0));
-    vec2 turn_2 = clamp(_e8, vec2(-1.0), vec2(1.0));
-    return vec2(((turn_2.y * p_2.x) - (turn_2.x * p_2.y)), ((turn_2.x * p_2.x) + (turn_2.y * p_2.y)));
-}
-
-vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_4) {
+vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
     vec2 most = vec2(4194304.0);
     vec2 _e6 = bounded_vec2_(place);
     vec2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_4);
+    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_2);
     return clamp(_e17, vec2(-4194304.0), most);
 }
 
-vec2 screen_cells_2_(vec2 place_1, vec2 viewport_1, float lines_1, float angle_5) {
-    vec2 most_1 = vec2(4194304.0);
-    vec2 _e6 = bounded_vec2_(place_1);
-    vec2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_1.y, 1.0))));
-    vec2 _e17 = turned_by_2_(clamp(_e13, vec2(-4194304.0), most_1), angle_5);
-    return clamp(_e17, vec2(-4194304.0), most_1);
+float lines_integral(float x_6, float share) {
+    float whole = roundEven(x_6);
+    return ((whole * share) + clamp((x_6 - whole), (-0.5 * share), (0.5 * share)));
 }
 
-vec2 screen_cells_3_(vec2 place_2, vec2 viewport_2, float lines_2, float angle_6) {
-    vec2 most_2 = vec2(4194304.0);
-    vec2 _e6 = bounded_vec2_(place_2);
-    vec2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_2.y, 1.0))));
-    vec2 _e17 = turned_by_3_(clamp(_e13, vec2(-4194304.0), most_2), angle_6);
-    return clamp(_e17, vec2(-4194304.0), most_2);
-}
-
-float lines_integral(float x_11, float share) {
-    float whole_2 = roundEven(x_11);
-    return ((whole_2 * share) + clamp((x_11 - whole_2), (-0.5 * share), (0.5 * share)));
-}
-
-float lines_filtered(float x_12, float share_1, float w_2) {
-    float t_4 = (x_12 - roundEven(x_12));
+float lines_filtered(float x_7, float share_1, float w_2) {
+    float t_2 = (x_7 - roundEven(x_7));
     if ((w_2 < 1e-30)) {
-        return (((abs(t_4) <= (0.5 * share_1)) && (share_1 > 0.0)) ? 1.0 : 0.0);
+        return (((abs(t_2) <= (0.5 * share_1)) && (share_1 > 0.0)) ? 1.0 : 0.0);
     }
     float half_1 = (0.5 * min(w_2, 1000.0));
-    float _e22 = lines_integral((t_4 + half_1), share_1);
-    float _e24 = lines_integral((t_4 - half_1), share_1);
+    float _e22 = lines_integral((t_2 + half_1), share_1);
+    float _e24 = lines_integral((t_2 - half_1), share_1);
     return clamp(((_e22 - _e24) / (2.0 * half_1)), 0.0, 1.0);
 }
 
@@ -322,8 +216,8 @@ float dot_radius(float share_2) {
     if ((share_2 <= 0.7853982)) {
         return sqrt((share_2 * 0.31830987));
     }
-    float s_6 = ((share_2 - 0.7853982) / 0.21460183);
-    a_1 = mix((0.5227232 * sqrt(s_6)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_6)))), s_6);
+    float s_3 = ((share_2 - 0.7853982) / 0.21460183);
+    a_1 = mix((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -407,22 +301,22 @@ float ink_of_dots_2_(vec2 cell_1, float share_4, float w_6) {
     return (((share_4 <= 0.0) || false) ? share_4 : mean_1);
 }
 
-float halftone_dots(float value, vec2 place_3, float lines_3, float angle_7, vec2 viewport_3) {
-    vec2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+float halftone_dots(float value, vec2 place_1, float lines_1, float angle_3, vec2 viewport_1) {
+    vec2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     vec2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_dots_2_(float value_1, vec2 place_4, float lines_4, float angle_8, vec2 viewport_4) {
-    vec2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+float halftone_dots_2_(float value_1, vec2 place_2, float lines_2, float angle_4, vec2 viewport_2) {
+    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     vec2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots_2_(_e5, (1.0 - min(value_1, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_lines(float value_2, vec2 place_5, float lines_5, float angle_9, vec2 viewport_5) {
-    vec2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+float halftone_lines(float value_2, vec2 place_3, float lines_3, float angle_5, vec2 viewport_3) {
+    vec2 _e5 = screen_cells(place_3, viewport_3, lines_3, angle_5);
     float _e10 = footprint_of(_e5.y);
     float _e11 = lines_filtered(_e5.y, (1.0 - value_2), _e10);
     return (1.0 - _e11);
@@ -432,7 +326,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.side.direction;
     vec3 _e14 = u_look.side.direction;
     Angle side = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(side, 0.0, yellow_s_share_shape);
+    float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = mix(1.0, 0.25, (_e22 - 0.0));
     vec2 _e33 = u_look.viewport;
     float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
@@ -452,7 +346,7 @@ vec4 shade(Surface surface_1) {
     vec4 p3_ink = mix(vec4(0.1216, 0.5608, 0.5922, 1.0), vec4(1.0), _e116);
     vec4 printed_over_2_ = vec4(mix(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e146 = curvature_signed(curvature, 0.25);
+    float _e146 = curvature_signed_balanced(curvature, 0.25);
     float hollow = (0.5 + (0.5 * _e146));
     float _e152 = footprint_of(hollow);
     float _e156 = step_filtered(hollow, 0.22, length(vec2(_e152, 0.0)));

@@ -110,68 +110,14 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x)
+float2 sin_cos_quarter(float x)
 {
-    float clamped = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_1)
-{
-    float whole_1 = round(x_1);
-    float f_1 = (x_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_quarter(float x_3)
-{
-    float h = (0.5 * x_3);
+    float h = (0.5 * x);
     float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-float2 sin_cos_eighth(float x_4)
-{
-    float y_1 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
-    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
-    return float2(s_1, c_1);
-}
-
-float2 sin_cos_tiny(float x_5)
-{
-    float y_2 = (x_5 * x_5);
-    float s_2 = (x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c_2 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return float2(s_2, c_2);
+    return float2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
 }
 
 float3 normalize_moderate(float3 v, float3 otherwise)
@@ -184,6 +130,12 @@ float3 normalize_seen(float3 v_1)
 {
     const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
+}
+
+float log2_one_minus(float y)
+{
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -204,62 +156,51 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_3 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_3 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_3));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < c_3)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_10 = ConstructAngle(turned.x, turned.y);
-    return angle_10;
+    float s_2 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
+    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_6 = ConstructAngle(turned.x, turned.y);
+    return angle_6;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+float bounded(float x_1)
 {
-    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_4 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_4 <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c_4));
-    float2 turned_1 = (((s_4 <= 0.0) & (s_4 < c_4)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_11 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_11;
-}
-
-float bounded(float x_6)
-{
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0));
+    uint bits = asuint(x_1);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_2)
 {
-    uint2 bits_2 = asuint(v_2);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    uint2 bits_1 = asuint(v_2);
+    uint2 magnitude_1 = (bits_1 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_1 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
     return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
 }
 
-float place_between(float x_7, float low, float high)
+float place_between(float x_2, float low, float high)
 {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
+        return ((x_2 >= high) ? 1.0 : 0.0);
     }
-    const float _e13 = bounded(((x_7 - low) / span));
+    const float _e13 = bounded(((x_2 - low) / span));
     return _e13;
 }
 
-float eased(float x_8, float low_1, float high_1)
+float eased(float x_3, float low_1, float high_1)
 {
-    const float _e3 = place_between(x_8, low_1, high_1);
-    float t_2 = clamp(_e3, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    const float _e3 = place_between(x_3, low_1, high_1);
+    float t_1 = clamp(_e3, 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float footprint_of(float x_9)
+float footprint_of(float x_4)
 {
-    float _e1 = ddx(x_9);
-    float _e2 = ddy(x_9);
+    float _e1 = ddx(x_4);
+    float _e2 = ddy(x_4);
     float2 d_2 = float2(_e1, _e2);
     return sqrt(dot(d_2, d_2));
 }
@@ -271,9 +212,9 @@ float2 footprint_of_vec2_(float2 v_3)
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
-float step_filtered(float x_10, float edge, float w)
+float step_filtered(float x_5, float edge, float w)
 {
-    float d_3 = (x_10 - edge);
+    float d_3 = (x_5 - edge);
     return ((w < 1e-30) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_3 / w)), 0.0, 1.0));
 }
 
@@ -282,134 +223,70 @@ float4 mix_colors_multiply(float4 a, float4 b, float factor)
     return float4(lerp(a.xyz, (a.xyz * b.xyz), 1.0), 1.0);
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a_2 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
-    float magnitude_2 = min(abs(a_2), 50.0);
-    if ((magnitude_2 < 0.0625)) {
-        float a2_ = (a_2 * a_2);
-        return (a_2 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e33 = exp2_stable((-2.88539 * magnitude_2));
-    float t_3 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_2 >= 0.0) ? t_3 : -(t_3));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable_2_((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1)
 {
-    float s_5 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_5 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_4 = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place_4.x, shape_1);
+    if ((w_1 < (0.1 * shape_1.edge_deviation))) {
+        return _e19;
     }
-    float q_1 = (s_5 * shape.scale);
-    const float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float r_2 = (0.19364917 * w_1);
+    float2 turn = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    const float _e45 = profile_soft_quick(((place_4.x * turn.y) - (place_4.y * turn.x)), shape_1);
+    const float _e53 = profile_soft_quick(((place_4.x * turn.y) + (place_4.y * turn.x)), shape_1);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered(Angle u_4, float w_1, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
 {
-    const float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = (w_1 < (0.1 * shape_1.edge_deviation));
-    if (((is_wide | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e16 = angle_turned(u_4, _e15);
-    const float _e17 = profile_point(_e16, shape_1);
-    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_2)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_2);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
 float2 turned_by(float2 p, float angle_1)
 {
-    float2 turn = float2(0.0, 1.0);
-    return float2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
+    float2 turn_1 = float2(sin(angle_1), cos(angle_1));
+    return float2(((turn_1.y * p.x) - (turn_1.x * p.y)), ((turn_1.x * p.x) + (turn_1.y * p.y)));
 }
 
-float2 turned_by_2_(float2 p_1, float angle_2)
-{
-    const float2 _e8 = sin_cos_eighth((((angle_2 - 0.0) - 0.0) - 0.0));
-    float2 turn_1 = clamp(_e8, (-1.0).xx, (1.0).xx);
-    return float2(((turn_1.y * p_1.x) - (turn_1.x * p_1.y)), ((turn_1.x * p_1.x) + (turn_1.y * p_1.y)));
-}
-
-float2 turned_by_3_(float2 p_2, float angle_3)
-{
-    const float2 _e8 = sin_cos_quarter((((angle_3 - 0.0) - 0.0) - 0.0));
-    float2 turn_2 = clamp(_e8, (-1.0).xx, (1.0).xx);
-    return float2(((turn_2.y * p_2.x) - (turn_2.x * p_2.y)), ((turn_2.x * p_2.x) + (turn_2.y * p_2.y)));
-}
-
-float2 screen_cells(float2 place, float2 viewport, float lines, float angle_4)
+float2 screen_cells(float2 place, float2 viewport, float lines, float angle_2)
 {
     float2 most = (4194304.0).xx;
     const float2 _e6 = bounded_vec2_(place);
     const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_4);
+    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_2);
     return clamp(_e17, (-4194304.0).xx, most);
 }
 
-float2 screen_cells_2_(float2 place_1, float2 viewport_1, float lines_1, float angle_5)
+float lines_integral(float x_6, float share)
 {
-    float2 most_1 = (4194304.0).xx;
-    const float2 _e6 = bounded_vec2_(place_1);
-    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_1.y, 1.0))));
-    const float2 _e17 = turned_by_2_(clamp(_e13, (-4194304.0).xx, most_1), angle_5);
-    return clamp(_e17, (-4194304.0).xx, most_1);
+    float whole = round(x_6);
+    return ((whole * share) + clamp((x_6 - whole), (-0.5 * share), (0.5 * share)));
 }
 
-float2 screen_cells_3_(float2 place_2, float2 viewport_2, float lines_2, float angle_6)
+float lines_filtered(float x_7, float share_1, float w_2)
 {
-    float2 most_2 = (4194304.0).xx;
-    const float2 _e6 = bounded_vec2_(place_2);
-    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_2.y, 1.0))));
-    const float2 _e17 = turned_by_3_(clamp(_e13, (-4194304.0).xx, most_2), angle_6);
-    return clamp(_e17, (-4194304.0).xx, most_2);
-}
-
-float lines_integral(float x_11, float share)
-{
-    float whole_2 = round(x_11);
-    return ((whole_2 * share) + clamp((x_11 - whole_2), (-0.5 * share), (0.5 * share)));
-}
-
-float lines_filtered(float x_12, float share_1, float w_2)
-{
-    float t_4 = (x_12 - round(x_12));
+    float t_2 = (x_7 - round(x_7));
     if ((w_2 < 1e-30)) {
-        return (((abs(t_4) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0);
+        return (((abs(t_2) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0);
     }
     float half_1 = (0.5 * min(w_2, 1000.0));
-    const float _e22 = lines_integral((t_4 + half_1), share_1);
-    const float _e24 = lines_integral((t_4 - half_1), share_1);
+    const float _e22 = lines_integral((t_2 + half_1), share_1);
+    const float _e24 = lines_integral((t_2 - half_1), share_1);
     return clamp(((_e22 - _e24) / (2.0 * half_1)), 0.0, 1.0);
 }
 
@@ -421,8 +298,8 @@ float dot_radius(float share_2)
     if ((share_2 <= 0.7853982)) {
         return sqrt((share_2 * 0.31830987));
     }
-    float s_6 = ((share_2 - 0.7853982) / 0.21460183);
-    a_1 = lerp((0.5227232 * sqrt(s_6)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_6)))), s_6);
+    float s_3 = ((share_2 - 0.7853982) / 0.21460183);
+    a_1 = lerp((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
@@ -515,25 +392,25 @@ float ink_of_dots_2_(float2 cell_1, float share_4, float w_6)
     return (((share_4 <= 0.0) | false) ? share_4 : mean_1);
 }
 
-float halftone_dots(float value, float2 place_3, float lines_3, float angle_7, float2 viewport_3)
+float halftone_dots(float value, float2 place_1, float lines_1, float angle_3, float2 viewport_1)
 {
-    const float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+    const float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     const float2 _e6 = footprint_of_vec2_(_e5);
     const float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_dots_2_(float value_1, float2 place_4, float lines_4, float angle_8, float2 viewport_4)
+float halftone_dots_2_(float value_1, float2 place_2, float lines_2, float angle_4, float2 viewport_2)
 {
-    const float2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+    const float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     const float2 _e6 = footprint_of_vec2_(_e5);
     const float _e14 = ink_of_dots_2_(_e5, (1.0 - min(value_1, 1.0)), max(_e6.x, _e6.y));
     return (1.0 - _e14);
 }
 
-float halftone_lines(float value_2, float2 place_5, float lines_5, float angle_9, float2 viewport_5)
+float halftone_lines(float value_2, float2 place_3, float lines_3, float angle_5, float2 viewport_3)
 {
-    const float2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+    const float2 _e5 = screen_cells(place_3, viewport_3, lines_3, angle_5);
     const float _e10 = footprint_of(_e5.y);
     const float _e11 = lines_filtered(_e5.y, (1.0 - value_2), _e10);
     return (1.0 - _e11);
@@ -544,7 +421,7 @@ float4 shade(Surface surface_1)
     float3 _e5 = look.side.direction;
     float3 _e14 = look.side.direction;
     Angle side = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile(side, 0.0, yellow_s_share_shape);
+    const float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = lerp(1.0, 0.25, (_e22 - 0.0));
     float2 _e33 = look.viewport;
     const float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
@@ -564,7 +441,7 @@ float4 shade(Surface surface_1)
     float4 p3_ink = lerp(float4(0.1216, 0.5608, 0.5922, 1.0), (1.0).xxxx, _e116);
     float4 printed_over_2_ = float4(lerp(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e146 = curvature_signed(curvature, 0.25);
+    const float _e146 = curvature_signed_balanced(curvature, 0.25);
     float hollow = (0.5 + (0.5 * _e146));
     const float _e152 = footprint_of(hollow);
     const float _e156 = step_filtered(hollow, 0.22, length(float2(_e152, 0.0)));

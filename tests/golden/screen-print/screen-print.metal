@@ -70,75 +70,15 @@ constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape yellow_s_share_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u};
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
+metal::float2 sin_cos_quarter(
     float x
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped);
-    float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_1
-) {
-    float whole_1 = metal::rint(x_1);
-    float f_1 = x_1 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_quarter(
-    float x_3
-) {
-    float h = 0.5 * x_3;
+    float h = 0.5 * x;
     float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
+    float s_1 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
-}
-
-metal::float2 sin_cos_eighth(
-    float x_4
-) {
-    float y_1 = x_4 * x_4;
-    float s_1 = x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 0.0000027557319))))))));
-    float c_1 = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-0.000024801588 + (y_1 * 0.0000002755732)))))))));
-    return metal::float2(s_1, c_1);
-}
-
-metal::float2 sin_cos_tiny(
-    float x_5
-) {
-    float y_2 = x_5 * x_5;
-    float s_2 = x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c_2 = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
-    return metal::float2(s_2, c_2);
+    return metal::float2((2.0 * s_1) * c, 1.0 - ((2.0 * s_1) * s_1));
 }
 
 metal::float3 normalize_moderate(
@@ -156,6 +96,13 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
+float log2_one_minus(
+    float y
+) {
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+}
+
 float angle_footprint(
     Angle u
 ) {
@@ -170,71 +117,59 @@ Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_3 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper;
+    float s_2 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_4 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_4 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_4 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c_4);
-    metal::float2 turned_1 = ((s_4 <= 0.0) & (s_4 < c_4)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float bounded(
-    float x_6
+    float x_1
 ) {
-    uint bits_1 = as_type<uint>(x_6);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x_1);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
     metal::float2 v_2
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::uint2 bits_1 = as_type<metal::uint2>(v_2);
+    metal::uint2 magnitude_1 = bits_1 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_1 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
     return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float place_between(
-    float x_7,
+    float x_2,
     float low,
     float high
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_7 >= high) ? 1.0 : 0.0;
+        return (x_2 >= high) ? 1.0 : 0.0;
     }
-    float _e13 = bounded((x_7 - low) / span);
+    float _e13 = bounded((x_2 - low) / span);
     return _e13;
 }
 
 float eased(
-    float x_8,
+    float x_3,
     float low_1,
     float high_1
 ) {
-    float _e3 = place_between(x_8, low_1, high_1);
-    float t_2 = metal::clamp(_e3, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float _e3 = place_between(x_3, low_1, high_1);
+    float t_1 = metal::clamp(_e3, 0.0, 1.0);
+    return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
 
 float footprint_of(
-    float x_9
+    float x_4
 ) {
-    float _e1 = metal::dfdx(x_9);
-    float _e2 = metal::dfdy(x_9);
+    float _e1 = metal::dfdx(x_4);
+    float _e2 = metal::dfdy(x_4);
     metal::float2 d_2 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_2, d_2));
 }
@@ -248,11 +183,11 @@ metal::float2 footprint_of_vec2_(
 }
 
 float step_filtered(
-    float x_10,
+    float x_5,
     float edge,
     float w
 ) {
-    float d_3 = x_10 - edge;
+    float d_3 = x_5 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_3 / w), 0.0, 1.0);
 }
 
@@ -264,80 +199,47 @@ Color mix_colors_multiply(
     return metal::float4(metal::mix(a.xyz, a.xyz * b.xyz, 1.0), 1.0);
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a_2 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25;
-    float magnitude_2 = metal::min(metal::abs(a_2), 50.0);
-    if (magnitude_2 < 0.0625) {
-        float a2_ = a_2 * a_2;
-        return a_2 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e33 = exp2_stable(-2.88539 * magnitude_2);
-    float t_3 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_2 >= 0.0) ? t_3 : -(t_3);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable_2_(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_5 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_5 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_1 = s_5 * shape.scale;
-    float _e17 = profile_power(q_1, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_filtered(
-    Angle u_4,
+float profile_filtered_quick(
+    Angle u_2,
     float w_1,
     ProfileShape shape_1
 ) {
-    float _e3 = profile_point(u_4, shape_1);
-    bool is_wide = w_1 < (0.1 * shape_1.edge_deviation);
-    if ((is_wide | (w_1 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_4 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
+    float _e19 = profile_soft_quick(place_4.x, shape_1);
+    if (w_1 < (0.1 * shape_1.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_1);
-    Angle _e16 = angle_turned(u_4, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r_2 = 0.19364917 * w_1;
+    metal::float2 turn = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
+    float _e45 = profile_soft_quick((place_4.x * turn.y) - (place_4.y * turn.x), shape_1);
+    float _e53 = profile_soft_quick((place_4.x * turn.y) + (place_4.y * turn.x), shape_1);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_2
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
     return _e8;
 }
 
@@ -345,87 +247,43 @@ metal::float2 turned_by(
     metal::float2 p,
     float angle_1
 ) {
-    metal::float2 turn = metal::float2(0.0, 1.0);
-    return metal::float2((turn.y * p.x) - (turn.x * p.y), (turn.x * p.x) + (turn.y * p.y));
-}
-
-metal::float2 turned_by_2_(
-    metal::float2 p_1,
-    float angle_2
-) {
-    metal::float2 _e8 = sin_cos_eighth(((angle_2 - 0.0) - 0.0) - 0.0);
-    metal::float2 turn_1 = metal::clamp(_e8, metal::float2(-1.0), metal::float2(1.0));
-    return metal::float2((turn_1.y * p_1.x) - (turn_1.x * p_1.y), (turn_1.x * p_1.x) + (turn_1.y * p_1.y));
-}
-
-metal::float2 turned_by_3_(
-    metal::float2 p_2,
-    float angle_3
-) {
-    metal::float2 _e8 = sin_cos_quarter(((angle_3 - 0.0) - 0.0) - 0.0);
-    metal::float2 turn_2 = metal::clamp(_e8, metal::float2(-1.0), metal::float2(1.0));
-    return metal::float2((turn_2.y * p_2.x) - (turn_2.x * p_2.y), (turn_2.x * p_2.x) + (turn_2.y * p_2.y));
+    metal::float2 turn_1 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
+    return metal::float2((turn_1.y * p.x) - (turn_1.x * p.y), (turn_1.x * p.x) + (turn_1.y * p.y));
 }
 
 metal::float2 screen_cells(
     metal::float2 place,
     metal::float2 viewport,
     float lines,
-    float angle_4
+    float angle_2
 ) {
     metal::float2 most = metal::float2(4194304.0);
     metal::float2 _e6 = bounded_vec2_(place);
     metal::float2 _e13 = bounded_vec2_(_e6 * (56.0 / metal::max(viewport.y, 1.0)));
-    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_4);
+    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_2);
     return metal::clamp(_e17, metal::float2(-4194304.0), most);
 }
 
-metal::float2 screen_cells_2_(
-    metal::float2 place_1,
-    metal::float2 viewport_1,
-    float lines_1,
-    float angle_5
-) {
-    metal::float2 most_1 = metal::float2(4194304.0);
-    metal::float2 _e6 = bounded_vec2_(place_1);
-    metal::float2 _e13 = bounded_vec2_(_e6 * (56.0 / metal::max(viewport_1.y, 1.0)));
-    metal::float2 _e17 = turned_by_2_(metal::clamp(_e13, metal::float2(-4194304.0), most_1), angle_5);
-    return metal::clamp(_e17, metal::float2(-4194304.0), most_1);
-}
-
-metal::float2 screen_cells_3_(
-    metal::float2 place_2,
-    metal::float2 viewport_2,
-    float lines_2,
-    float angle_6
-) {
-    metal::float2 most_2 = metal::float2(4194304.0);
-    metal::float2 _e6 = bounded_vec2_(place_2);
-    metal::float2 _e13 = bounded_vec2_(_e6 * (56.0 / metal::max(viewport_2.y, 1.0)));
-    metal::float2 _e17 = turned_by_3_(metal::clamp(_e13, metal::float2(-4194304.0), most_2), angle_6);
-    return metal::clamp(_e17, metal::float2(-4194304.0), most_2);
-}
-
 float lines_integral(
-    float x_11,
+    float x_6,
     float share
 ) {
-    float whole_2 = metal::rint(x_11);
-    return (whole_2 * share) + metal::clamp(x_11 - whole_2, -0.5 * share, 0.5 * share);
+    float whole = metal::rint(x_6);
+    return (whole * share) + metal::clamp(x_6 - whole, -0.5 * share, 0.5 * share);
 }
 
 float lines_filtered(
-    float x_12,
+    float x_7,
     float share_1,
     float w_2
 ) {
-    float t_4 = x_12 - metal::rint(x_12);
+    float t_2 = x_7 - metal::rint(x_7);
     if (w_2 < 0.000000000000000000000000000001) {
-        return ((metal::abs(t_4) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0;
+        return ((metal::abs(t_2) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0;
     }
     float half_1 = 0.5 * metal::min(w_2, 1000.0);
-    float _e22 = lines_integral(t_4 + half_1, share_1);
-    float _e24 = lines_integral(t_4 - half_1, share_1);
+    float _e22 = lines_integral(t_2 + half_1, share_1);
+    float _e24 = lines_integral(t_2 - half_1, share_1);
     return metal::clamp((_e22 - _e24) / (2.0 * half_1), 0.0, 1.0);
 }
 
@@ -437,8 +295,8 @@ float dot_radius(
     if (share_2 <= 0.7853982) {
         return metal::sqrt(share_2 * 0.31830987);
     }
-    float s_6 = (share_2 - 0.7853982) / 0.21460183;
-    a_1 = metal::mix(0.5227232 * metal::sqrt(s_6), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s_6)), s_6);
+    float s_3 = (share_2 - 0.7853982) / 0.21460183;
+    a_1 = metal::mix(0.5227232 * metal::sqrt(s_3), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s_3)), s_3);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
@@ -543,12 +401,12 @@ float ink_of_dots_2_(
 
 float halftone_dots(
     float value,
-    metal::float2 place_3,
-    float lines_3,
-    float angle_7,
-    metal::float2 viewport_3
+    metal::float2 place_1,
+    float lines_1,
+    float angle_3,
+    metal::float2 viewport_1
 ) {
-    metal::float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+    metal::float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
     metal::float2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots(_e5, 1.0 - metal::min(value, 1.0), metal::max(_e6.x, _e6.y));
     return 1.0 - _e14;
@@ -556,12 +414,12 @@ float halftone_dots(
 
 float halftone_dots_2_(
     float value_1,
-    metal::float2 place_4,
-    float lines_4,
-    float angle_8,
-    metal::float2 viewport_4
+    metal::float2 place_2,
+    float lines_2,
+    float angle_4,
+    metal::float2 viewport_2
 ) {
-    metal::float2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+    metal::float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
     metal::float2 _e6 = footprint_of_vec2_(_e5);
     float _e14 = ink_of_dots_2_(_e5, 1.0 - metal::min(value_1, 1.0), metal::max(_e6.x, _e6.y));
     return 1.0 - _e14;
@@ -569,12 +427,12 @@ float halftone_dots_2_(
 
 float halftone_lines(
     float value_2,
-    metal::float2 place_5,
-    float lines_5,
-    float angle_9,
-    metal::float2 viewport_5
+    metal::float2 place_3,
+    float lines_3,
+    float angle_5,
+    metal::float2 viewport_3
 ) {
-    metal::float2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+    metal::float2 _e5 = screen_cells(place_3, viewport_3, lines_3, angle_5);
     float _e10 = footprint_of(_e5.y);
     float _e11 = lines_filtered(_e5.y, 1.0 - value_2, _e10);
     return 1.0 - _e11;
@@ -587,7 +445,7 @@ metal::float4 shade(
     metal::float3 _e5 = look.side.direction;
     metal::float3 _e14 = look.side.direction;
     Angle side = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile(side, 0.0, yellow_s_share_shape);
+    float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = metal::mix(1.0, 0.25, _e22 - 0.0);
     metal::float2 _e33 = look.viewport;
     float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
@@ -607,7 +465,7 @@ metal::float4 shade(
     metal::float4 p3_ink = metal::mix(metal::float4(0.1216, 0.5608, 0.5922, 1.0), metal::float4(1.0), _e116);
     metal::float4 printed_over_2_ = metal::float4(metal::mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e146 = curvature_signed(curvature, 0.25);
+    float _e146 = curvature_signed_balanced(curvature, 0.25);
     float hollow = 0.5 + (0.5 * _e146);
     float _e152 = footprint_of(hollow);
     float _e156 = step_filtered(hollow, 0.22, metal::length(metal::float2(_e152, 0.0)));

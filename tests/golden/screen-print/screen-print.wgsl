@@ -66,49 +66,6 @@ struct Light {
 }
 
 const LOG2_E: f32 = 1.44269504088896340736;
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
@@ -127,24 +84,6 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
-fn sin_cos_eighth(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
-        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
-        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
-    return vec2f(s, c);
-}
-
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -156,6 +95,14 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+}
+
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -170,21 +117,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
-    return Angle(turned.x, turned.y);
-}
-
-/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
-fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin - u.half_cos * 0.0;
-    let c = u.half_cos + u.half_sin * 0.0;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -247,19 +182,10 @@ fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
     return vec4f(mix(a.xyz, a.xyz * b.xyz, 1.0), 1.0);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * 0.25;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -281,72 +207,37 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// p turned by an angle in radians, from x to y.
 fn turned_by(p: vec2f, angle: f32) -> vec2f {
-    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
-    return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
-}
-
-/// p turned by an angle in radians, from x to y.
-fn turned_by_2(p: vec2f, angle: f32) -> vec2f {
-    let turn = clamp(sin_cos_eighth(angle - 0.0 - 0.0 - 0.0), vec2f(-1.0), vec2f(1.0));
-    return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
-}
-
-/// p turned by an angle in radians, from x to y.
-fn turned_by_3(p: vec2f, angle: f32) -> vec2f {
-    let turn = clamp(sin_cos_quarter(angle - 0.0 - 0.0 - 0.0), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
@@ -356,24 +247,6 @@ fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f 
     let most = vec2f(4194304.0);
     let upright = bounded_vec2(bounded_vec2(place) * (56.0 / max(viewport.y, 1.0)));
     return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
-        most);
-}
-
-/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
-/// and is turned by an angle in radians.
-fn screen_cells_2(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
-    let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (56.0 / max(viewport.y, 1.0)));
-    return clamp(turned_by_2(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
-        most);
-}
-
-/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
-/// and is turned by an angle in radians.
-fn screen_cells_3(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
-    let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (56.0 / max(viewport.y, 1.0)));
-    return clamp(turned_by_3(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
         most);
 }
 
@@ -487,7 +360,7 @@ fn ink_of_dots_2(cell: vec2f, share: f32, w: f32) -> f32 {
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_2(place, viewport, lines, angle);
+    let cell = screen_cells(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
@@ -499,7 +372,7 @@ fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots_2(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_3(place, viewport, lines, angle);
+    let cell = screen_cells(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots_2(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
@@ -514,7 +387,7 @@ const yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.73
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let side = Angle(0.5 * length(surface.normal - look.side.direction), 0.5 * length(surface.normal + look.side.direction));
-    let yellow_s_share = profile(side, 0.0, yellow_s_share_shape);
+    let yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
     let pale = mix(1.0, 0.25, yellow_s_share - 0.0);
     let yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, look.viewport);
     let p1_ink = mix(vec4f(0.9647, 0.8118, 0.2902, 1.0), vec4f(1.0), yellow_screen);
@@ -530,7 +403,7 @@ fn shade(surface: Surface) -> vec4f {
     let p3_ink = mix(vec4f(0.1216, 0.5608, 0.5922, 1.0), vec4f(1.0), teal_screen);
     let printed_over_2 = vec4f(mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
     let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow = 0.5 + 0.5 * curvature_signed(curvature, 0.25);
+    let hollow = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.25);
     let hollows = step_filtered(hollow, 0.22, length(vec2f(footprint_of(hollow), 0.0)));
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let outline = step_filtered(facing, 0.28, length(vec2f(footprint_of(facing), 0.0)));

@@ -105,40 +105,10 @@ fn exp2_stable(x: f32) -> f32 {
     return twice * 0.5;
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
@@ -159,15 +129,6 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable_2(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
-}
-
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -178,7 +139,7 @@ fn footprint_of(x: f32) -> f32 {
 /// size.
 fn srgb_of_linear(light: f32) -> f32 {
     let size = abs(light);
-    let value = select(1.055 * powered(size, 0.4166666666666667) - 0.055, size * 12.92, size
+    let value = select(1.055 * pow(size, 0.4166666666666667) - 0.055, size * 12.92, size
         <= 0.0031308);
     return select(value, -value, light < 0.0);
 }
@@ -186,12 +147,9 @@ fn srgb_of_linear(light: f32) -> f32 {
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
 /// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
-    let l = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.4122214708,
-        0.5363325363, 0.0514459929))));
-    let m = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.2119034982,
-        0.6806995451, 0.1073969566))));
-    let s = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.0883024619,
-        0.2817188376, 0.6299787005))));
+    let l = pow(dot(rgb, vec3f(0.4122214708, 0.5363325363, 0.0514459929)), 0.3333333333333333);
+    let m = pow(dot(rgb, vec3f(0.2119034982, 0.6806995451, 0.1073969566)), 0.3333333333333333);
+    let s = pow(dot(rgb, vec3f(0.0883024619, 0.2817188376, 0.6299787005)), 0.3333333333333333);
     return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
         - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
         * s);
@@ -210,9 +168,8 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(exp2_stable_2(2.4 * log2_stable((coded.x + 0.055) / 1.055)),
-        exp2_stable_2(2.4 * log2_stable((coded.y + 0.055) / 1.055)), exp2_stable_2(2.4
-        * log2_stable((coded.z + 0.055) / 1.055))));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
+        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -328,7 +285,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen(in.normal);
+    let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;

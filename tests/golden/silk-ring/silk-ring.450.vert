@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);

@@ -57,7 +57,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
@@ -91,104 +90,62 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_1) {
-    float whole = roundEven(x_1);
-    float f = (x_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_1 = roundEven(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_4) {
-    float y_3 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+vec3 normalize_seen_balanced(vec3 v_2) {
+    return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+vec2 sin_cos_quick(float x_1) {
+    float y_2 = (x_1 * x_1);
+    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666666 + (y_2 * (0.0083332425 + (y_2 * (-0.0001982274 + (y_2 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_2 * (-0.5 + (y_2 * (0.04166666 + (y_2 * (-0.0013888652 + (y_2 * (2.477458e-5 - (y_2 * 2.6297516e-7))))))))));
+    return vec2(s_2, c);
+}
+
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_5, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    float s_4 = (u_2.half_sin - 0.0);
+    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_2.half_cos));
+    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+float bounded(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float eased(float x_7, float low, float high) {
-    float _e3 = bounded(x_7);
+float eased(float x_3, float low, float high) {
+    float _e3 = bounded(x_3);
     float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_3 = clamp(_e8, 0.0, 1.0);
+    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
 float footprint_of_vec3_(vec3 v_3) {
@@ -200,13 +157,13 @@ float footprint_of_vec3_(vec3 v_3) {
 
 vec3 any_orthogonal(vec3 n) {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_ + n.z));
-    return vec3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+    float a = (-1.0 / (sign_ + n.z));
+    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
-    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
+    vec3 y_3 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_3, vec2(dot(direction, x_axis), dot(direction, y_3)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -236,9 +193,9 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_8, float y_2) {
+vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_4, float y_1) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec3 _e10 = direction_moved(_e5, (-(vec2(x_8, y_2)) * _e5.place));
+    vec3 _e10 = direction_moved(_e5, (-(vec2(x_4, y_1)) * _e5.place));
     return _e10;
 }
 
@@ -250,142 +207,88 @@ vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, b
     return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2) {
+    vec2 place = vec2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_1);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3) {
+    vec2 place_1 = vec2(((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset)), ((u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_2);
+    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2) {
-    float s_5 = (u_5.half_sin - (u_5.half_cos * 0.0));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_4) {
+    vec2 place_2 = vec2((u_5.half_sin - (u_5.half_cos * 0.0)), (u_5.half_cos + (u_5.half_sin * 0.0)));
+    bool is_narrow_1 = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_4.edge_deviation)));
+    if ((false || is_narrow_1)) {
+        float _e24 = profile_ramp_quick(place_2.x, w_3, shape_4);
+        return _e24;
     }
-    float q_4 = (s_5 * shape_2.scale);
-    float _e15 = profile_power_2_(q_4, shape_2.exponent);
-    return _e15;
+    float _e26 = profile_soft_quick(place_2.x, shape_4);
+    if ((w_3 < (0.1 * shape_4.edge_deviation))) {
+        return _e26;
+    }
+    float r_2 = (0.19364917 * w_3);
+    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    float _e52 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_4);
+    float _e60 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_4);
+    return ((((5.0 * _e52) + (8.0 * _e26)) + (5.0 * _e60)) / 18.0);
 }
 
-float profile_filtered(Angle u_6, float w, ProfileShape shape_3) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 || (w <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e45 = angle_turned(u_7, _e44);
-    float _e46 = profile_point_2_(_e45, shape_4);
-    Angle _e51 = angle_turned(u_7, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_4);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_3 || (w_2 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_2 >= (3.4641016 * shape_5.edge_deviation)))) {
-        float width_1 = sqrt(((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-        float _e30 = atan2_positive(u_8.half_sin, u_8.half_cos);
-        return clamp((0.5 + ((shape_5.edge_mean - (2.0 * _e30)) / width_1)), 0.0, 1.0);
-    }
-    vec2 _e42 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e43 = angle_turned(u_8, _e42);
-    float _e44 = profile_point_3_(_e43, shape_5);
-    Angle _e49 = angle_turned(u_8, vec2(-(_e42.x), _e42.y));
-    float _e50 = profile_point_3_(_e49, shape_5);
-    return ((((5.0 * _e44) + (8.0 * _e3)) + (5.0 * _e50)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_5) {
     Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_1));
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_6) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_7) {
+    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
     Angle _e6 = angle_turned(angle_2, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_7);
     return _e8;
 }
 
@@ -430,9 +333,9 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_2 = ((axis == 0u) ? d.y : d.x);
+    float a_1 = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 vec3 fade_quintic(vec3 t_2) {
@@ -474,7 +377,7 @@ float perlin_noise(vec3 p, uint seed_2) {
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_3) {
+float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_4) {
     float octave = 0.0;
     int i_1 = 0;
     float frequency = 1.0;
@@ -493,15 +396,15 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            vec3 place = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_3 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            float _e50 = perlin_noise(place_3, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -531,7 +434,7 @@ vec4 shade(Surface surface_1) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
     Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     vec4 _e35 = blend_alpha(vec4(0.2275, 0.102, 0.2431, 1.0), vec4(0.4824, 0.1843, 0.3882, 1.0), _e22, 1.0, true);
     vec3 normal = surface_1.normal;
     Light _e39 = u_look.key;
@@ -539,17 +442,17 @@ vec4 shade(Surface surface_1) {
     AxesAround _e46 = axes(_e41, vec3(0.0, 1.0, 0.0));
     vec3 _e51 = stretch_direction(normal, _e46.x_axis, _e46.y_axis, 0.985, 0.0);
     Angle from_the_band = Angle((0.5 * length((_e51 - _e41))), (0.5 * length((_e51 + _e41))));
-    vec3 place_1 = surface_1.position_object;
-    float _e66 = noise_perlin(place_1, 14.0, 2, 0.5, 0);
+    vec3 place_4 = surface_1.position_object;
+    float _e66 = noise_perlin(place_4, 14.0, 2, 0.5, 0);
     float waver = mix(-0.05, 0.05, (_e66 - 0.0));
-    float _e73 = profile_2_(from_the_band, waver, band_shape);
+    float _e73 = profile_balanced_2_(from_the_band, waver, band_shape);
     vec4 _e81 = blend_alpha_2_(_e35, vec4(0.9529, 0.6627, 0.7059, 1.0), _e73, 0.95, true);
     Light _e84 = u_look.low;
     vec3 _e86 = half_vector(_e84, surface_1.view);
     AxesAround _e91 = axes(_e86, vec3(0.0, 1.0, 0.0));
     vec3 _e96 = stretch_direction(normal, _e91.x_axis, _e91.y_axis, 0.985, 0.0);
     Angle from_the_second = Angle((0.5 * length((_e96 - _e86))), (0.5 * length((_e96 + _e86))));
-    float _e107 = profile_3_(from_the_second, waver, second_band_shape);
+    float _e107 = profile_balanced_3_(from_the_second, waver, second_band_shape);
     vec4 output_ = clamp(vec4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * vec3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
@@ -558,7 +461,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

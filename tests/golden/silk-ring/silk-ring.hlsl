@@ -103,7 +103,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const uint NOISE_PERLIN = 1u;
 static const ProfileShape lit_side_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
@@ -149,78 +148,29 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x_1)
-{
-    float whole = round(x_1);
-    float f = (x_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_2)
-{
-    float clamped_2 = max(x_2, -126.0);
-    float whole_1 = round(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_3)
-{
-    uint bits = asuint(x_3);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_4)
-{
-    float y_3 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
-    float c = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
-    return float2(s, c);
-}
-
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
 {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_seen(float3 v_2)
+float3 normalize_seen_balanced(float3 v_2)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float atan2_positive(float y_1, float x_5)
+float2 sin_cos_quick(float x_1)
 {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+    float y_2 = (x_1 * x_1);
+    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666666 + (y_2 * (0.0083332425 + (y_2 * (-0.0001982274 + (y_2 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_2 * (-0.5 + (y_2 * (0.04166666 + (y_2 * (-0.0013888652 + (y_2 * (2.477458e-5 - (y_2 * 2.6297516e-7))))))))));
+    return float2(s_2, c);
+}
+
+float log2_one_minus(float y)
+{
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -228,8 +178,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_5, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -241,38 +191,37 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
 Angle angle_turned_2_(Angle u_2, float2 t_1)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
+    float s_4 = (u_2.half_sin - 0.0);
+    float2 upper_1 = ((u_2.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_4, u_2.half_cos));
+    float2 turned_1 = (((s_4 <= 0.0) & (s_4 < u_2.half_cos)) ? float2(0.0, 1.0) : upper_1);
     const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
     return angle_4;
 }
 
-float bounded(float x_6)
+float bounded(float x_2)
 {
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    uint bits = asuint(x_2);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float eased(float x_7, float low, float high)
+float eased(float x_3, float low, float high)
 {
-    const float _e3 = bounded(x_7);
+    const float _e3 = bounded(x_3);
     const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_3 = clamp(_e8, 0.0, 1.0);
+    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
 float footprint_of_vec3_(float3 v_3)
@@ -286,8 +235,8 @@ float footprint_of_vec3_(float3 v_3)
 float3 any_orthogonal(float3 n)
 {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+    float a = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -301,8 +250,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
+    float3 y_3 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_3, float2(dot(direction, x_axis), dot(direction, y_3)));
     return directionparts;
 }
 
@@ -345,10 +294,10 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_8, float y_2)
+float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_4, float y_1)
 {
     const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    const float3 _e10 = direction_moved(_e5, (-(float2(x_8, y_2)) * _e5.place));
+    const float3 _e10 = direction_moved(_e5, (-(float2(x_4, y_1)) * _e5.place));
     return _e10;
 }
 
@@ -362,155 +311,96 @@ float4 blend_alpha_2_(float4 below_1, float4 color_1, float tone_1, float opacit
     return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
 {
-    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_3 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_2 = (s_3 * shape.scale);
-    const float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+    float2 place = float2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_1);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3)
 {
-    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_1 = float2(((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset)), ((u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
     }
-    float q_3 = (s_4 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    const float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_2);
+    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    const float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    const float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2)
+float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_4)
 {
-    float s_5 = (u_5.half_sin - (u_5.half_cos * 0.0));
-    if (((s_5 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_2 = float2((u_5.half_sin - (u_5.half_cos * 0.0)), (u_5.half_cos + (u_5.half_sin * 0.0)));
+    bool is_narrow_1 = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_4.edge_deviation)));
+    if ((false | is_narrow_1)) {
+        const float _e24 = profile_ramp_quick(place_2.x, w_3, shape_4);
+        return _e24;
     }
-    float q_4 = (s_5 * shape_2.scale);
-    const float _e15 = profile_power_2_(q_4, shape_2.exponent);
-    return _e15;
+    const float _e26 = profile_soft_quick(place_2.x, shape_4);
+    if ((w_3 < (0.1 * shape_4.edge_deviation))) {
+        return _e26;
+    }
+    float r_2 = (0.19364917 * w_3);
+    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
+    const float _e52 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_4);
+    const float _e60 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_4);
+    return ((((5.0 * _e52) + (8.0 * _e26)) + (5.0 * _e60)) / 18.0);
 }
 
-float profile_filtered(Angle u_6, float w, ProfileShape shape_3)
-{
-    const float _e3 = profile_point(u_6, shape_3);
-    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_1 | (w <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
-    const Angle _e16 = angle_turned(u_6, _e15);
-    const float _e17 = profile_point(_e16, shape_3);
-    const Angle _e22 = angle_turned(u_6, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4)
-{
-    const float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
-        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-        const float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
-        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e45 = angle_turned(u_7, _e44);
-    const float _e46 = profile_point_2_(_e45, shape_4);
-    const Angle _e51 = angle_turned(u_7, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point_2_(_e51, shape_4);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5)
-{
-    const float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_3 | (w_2 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_2 >= (3.4641016 * shape_5.edge_deviation)))) {
-        float width_1 = sqrt(((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-        const float _e30 = atan2_positive(u_8.half_sin, u_8.half_cos);
-        return clamp((0.5 + ((shape_5.edge_mean - (2.0 * _e30)) / width_1)), 0.0, 1.0);
-    }
-    const float2 _e42 = sin_cos_tiny((0.19364917 * w_2));
-    const Angle _e43 = angle_turned(u_8, _e42);
-    const float _e44 = profile_point_3_(_e43, shape_5);
-    const Angle _e49 = angle_turned(u_8, float2(-(_e42.x), _e42.y));
-    const float _e50 = profile_point_3_(_e49, shape_5);
-    return ((((5.0 * _e44) + (8.0 * _e3)) + (5.0 * _e50)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_6)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_5)
 {
     const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_6);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_6)
 {
-    const float2 _e5 = sin_cos_tiny((0.5 * shift_1));
+    const float2 _e5 = sin_cos_quick((0.5 * shift_1));
     const Angle _e6 = angle_turned(angle_1, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_7)
 {
-    const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
+    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
     const Angle _e6 = angle_turned(angle_2, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_7);
     return _e8;
 }
 
@@ -563,9 +453,9 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_2 = ((axis == 0u) ? d.y : d.x);
+    float a_1 = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 float3 fade_quintic(float3 t_2)
@@ -617,7 +507,7 @@ float perlin_noise(float3 p, uint seed_2)
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_3)
+float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_4)
 {
     float octave = (float)0;
     int i_1 = int(0);
@@ -641,15 +531,15 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            float3 place = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_3 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_1;
-            const float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            const float _e50 = perlin_noise(place_3, (0u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -681,7 +571,7 @@ float4 shade(Surface surface_1)
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
     Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     const float4 _e35 = blend_alpha(float4(0.2275, 0.102, 0.2431, 1.0), float4(0.4824, 0.1843, 0.3882, 1.0), _e22, 1.0, true);
     float3 normal_2 = surface_1.normal;
     Light _e39 = look.key;
@@ -689,17 +579,17 @@ float4 shade(Surface surface_1)
     const AxesAround _e46 = axes(_e41, float3(0.0, 1.0, 0.0));
     const float3 _e51 = stretch_direction(normal_2, _e46.x_axis, _e46.y_axis, 0.985, 0.0);
     Angle from_the_band = ConstructAngle((0.5 * length((_e51 - _e41))), (0.5 * length((_e51 + _e41))));
-    float3 place_1 = surface_1.position_object;
-    const float _e66 = noise_perlin(place_1, 14.0, int(2), 0.5, int(0));
+    float3 place_4 = surface_1.position_object;
+    const float _e66 = noise_perlin(place_4, 14.0, int(2), 0.5, int(0));
     float waver = lerp(-0.05, 0.05, (_e66 - 0.0));
-    const float _e73 = profile_2_(from_the_band, waver, band_shape);
+    const float _e73 = profile_balanced_2_(from_the_band, waver, band_shape);
     const float4 _e81 = blend_alpha_2_(_e35, float4(0.9529, 0.6627, 0.7059, 1.0), _e73, 0.95, true);
     Light _e84 = look.low;
     const float3 _e86 = half_vector(_e84, surface_1.view);
     const AxesAround _e91 = axes(_e86, float3(0.0, 1.0, 0.0));
     const float3 _e96 = stretch_direction(normal_2, _e91.x_axis, _e91.y_axis, 0.985, 0.0);
     Angle from_the_second = ConstructAngle((0.5 * length((_e96 - _e86))), (0.5 * length((_e96 + _e86))));
-    const float _e107 = profile_3_(from_the_second, waver, second_band_shape);
+    const float _e107 = profile_balanced_3_(from_the_second, waver, second_band_shape);
     float4 output = clamp(float4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * float3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
@@ -728,7 +618,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
+    const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

@@ -64,7 +64,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
@@ -102,43 +101,6 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_1) {
-    float whole = roundEven(x_1);
-    float f = (x_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
-}
-
-float exp2_stable_2_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_1 = roundEven(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_tiny(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return vec2(s, c);
-}
-
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
@@ -149,57 +111,38 @@ vec3 normalize_seen(vec3 v_2) {
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+float log2_one_minus(float y) {
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w_6 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_6, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+float bounded(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-float eased(float x_7, float low, float high) {
-    float _e3 = bounded(x_7);
+float eased(float x_2, float low, float high) {
+    float _e3 = bounded(x_2);
     float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
 float length_of(vec3 v_3) {
@@ -211,9 +154,9 @@ float length_of(vec3 v_3) {
     return _e16;
 }
 
-float footprint_of(float x_8) {
-    float _e1 = dFdx(x_8);
-    float _e2 = dFdy(x_8);
+float footprint_of(float x_3) {
+    float _e1 = dFdx(x_3);
+    float _e2 = dFdy(x_3);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -231,12 +174,12 @@ float footprint_of_vec3_2_(vec3 v_5) {
     return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
 }
 
-float step_filtered(float x_9, float edge, float w) {
-    float d_2 = (x_9 - edge);
+float step_filtered(float x_4, float edge, float w) {
+    float d_2 = (x_4 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
-vec4 ramp_at(Ramp ramp, float x_10, float w_1) {
+vec4 ramp_at(Ramp ramp, float x_5, float w_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
@@ -264,7 +207,7 @@ vec4 ramp_at(Ramp ramp, float x_10, float w_1) {
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places[(_e26 / 4u)][(_e30 % 4u)];
-        float _e35 = step_filtered(x_10, _e34, w_1);
+        float _e35 = step_filtered(x_5, _e34, w_1);
         color = (_e16 + ((_e19 - _e24) * _e35));
     }
     vec4 _e41 = color;
@@ -279,9 +222,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
         return normal;
     }
     vec3 s_3 = (along_x.xyz / vec3(largest_3));
-    vec3 t_5 = (along_y.xyz / vec3(largest_3));
+    vec3 t_3 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_5, normal);
+    vec3 right = cross(t_3, normal);
     vec3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -319,110 +262,66 @@ LitLayer light_apply(Light light, vec4 color_3, float tone_2) {
     return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
 }
 
-Angle parametrization_specular(Light light_1, vec3 normal_2, vec3 view) {
-    vec3 mirrored = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    vec3 _e8 = normalize_moderate(mirrored, normal_2);
-    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
+    vec3 d_3 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
+    return Angle((0.5 * length((d_3 - light_1.direction))), (0.5 * length((d_3 + light_1.direction))));
 }
 
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) || false)) {
-        return 1.0;
-    }
-    float q_2 = (s_4 * shape.scale);
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1) {
+    float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w_2 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_power_2_(float q_1, float exponent_1) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+float profile_filtered_quick(Angle u_2, float w_3, ProfileShape shape_2) {
+    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_3 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_3);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_5 <= 0.0) || false)) {
-        return 1.0;
+float profile_filtered_quick_2_(Angle u_3, float w_4, ProfileShape shape_3) {
+    vec2 place_1 = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_4 > 0.0) && (w_4 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
+        return _e28;
     }
-    float q_3 = (s_5 * shape_1.scale);
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_4 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_4);
+    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_2) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w_2 < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
-        return _e3;
-    }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_5, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_3, ProfileShape shape_3) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_2 = (w_3 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
-        return _e3;
-    }
-    if ((true && (w_3 >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width = sqrt(((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    vec2 _e44 = sin_cos_tiny((0.19364917 * w_3));
-    Angle _e45 = angle_turned(u_6, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_6, vec2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -471,21 +370,21 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 
 float gradient_dot(uvec3 hash_1, vec3 d) {
     uint axis = ((hash_1.x >> 8u) % 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_2) {
-    return (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - vec3(15.0))) + vec3(10.0)));
+vec3 fade_quintic(vec3 t_1) {
+    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
 float perlin_noise(vec3 p, uint seed_2) {
     float sum = 0.0;
     int i_1 = 0;
     vec3 corner = floor(p);
-    vec3 d_3 = (p - corner);
-    vec3 _e4 = fade_quintic(d_3);
+    vec3 d_4 = (p - corner);
+    vec3 _e4 = fade_quintic(d_4);
     ivec3 cell_1 = ivec3(corner);
     bool loop_init_1 = true;
     while(true) {
@@ -507,7 +406,7 @@ float perlin_noise(vec3 p, uint seed_2) {
             vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at, ivec3(1)));
             float _e32 = sum;
             uvec3 _e39 = lattice_hash((cell_1 + at), seed_2);
-            float _e42 = gradient_dot(_e39, (d_3 - vec3(at)));
+            float _e42 = gradient_dot(_e39, (d_4 - vec3(at)));
             sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
         }
     }
@@ -522,7 +421,7 @@ Cell nearest_cell(vec3 p_1, uint seed_3) {
     float border = 0.0;
     int i_3 = 0;
     vec3 corner_1 = floor(p_1);
-    vec3 d_4 = (p_1 - corner_1);
+    vec3 d_5 = (p_1 - corner_1);
     ivec3 cell_2 = ivec3(corner_1);
     bool loop_init_2 = true;
     while(true) {
@@ -543,7 +442,7 @@ Cell nearest_cell(vec3 p_1, uint seed_3) {
             ivec3 at_1 = ivec3(((_e16 % 3) - 1), (((_e21 / 3) % 3) - 1), ((_e28 / 9) - 1));
             uvec3 _e35 = lattice_hash((cell_2 + at_1), seed_3);
             vec3 _e40 = unit_of_hash(_e35);
-            vec3 offset = (((vec3(at_1) + vec3(0.25)) + (0.5 * _e40)) - d_4);
+            vec3 offset = (((vec3(at_1) + vec3(0.25)) + (0.5 * _e40)) - d_5);
             vec3 _e46 = nearest;
             vec3 _e47 = nearest;
             if ((dot(offset, offset) < dot(_e46, _e47))) {
@@ -575,7 +474,7 @@ Cell nearest_cell(vec3 p_1, uint seed_3) {
             uvec3 _e90 = lattice_hash((cell_2 + at_2), seed_3);
             vec3 _e91 = unit_of_hash(_e90);
             vec3 _e96 = nearest;
-            vec3 apart = ((((vec3(at_2) + vec3(0.25)) + (0.5 * _e91)) - d_4) - _e96);
+            vec3 apart = ((((vec3(at_2) + vec3(0.25)) + (0.5 * _e91)) - d_5) - _e96);
             float between = length(apart);
             if ((between > 0.25)) {
                 float _e101 = border;
@@ -591,7 +490,7 @@ Cell nearest_cell(vec3 p_1, uint seed_3) {
     return Cell(max(_e112, 0.0), _e117.x, distance_);
 }
 
-float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_4, float w_4) {
+float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_4, float w_5) {
     float octave = 0.0;
     int i_4 = 0;
     float frequency = 1.0;
@@ -610,15 +509,15 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float _e25 = eased((w_5 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_4;
-            vec3 place = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_4;
-            float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -664,26 +563,26 @@ vec4 shade(Surface surface_1) {
     vec3 _e32 = u_look.sun.direction;
     vec3 _e40 = u_look.sun.direction;
     Angle sun_turn = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
-    float _e48 = profile(sun_turn, 0.0, through_the_glass_shape);
+    float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     vec4 light_through_it = clamp(vec4((_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz))), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e69 = u_look.room.direction;
     vec3 _e77 = u_look.room.direction;
     Angle room_turn = Angle((0.5 * length((_e28 - _e69))), (0.5 * length((_e28 + _e77))));
-    float _e85 = profile(room_turn, 0.0, on_the_glass_shape);
+    float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     vec4 light_on_it = clamp(vec4((light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
     float _e106 = footprint_of(_e4.border);
     float _e110 = step_filtered(_e4.border, 0.035, length(vec2(_e106, 0.0)));
     float leading = (1.0 - _e110);
     vec4 leading_2_ = clamp(vec4((light_on_it.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
     Light _e131 = u_look.room;
-    Angle _e133 = parametrization_specular(_e131, _e28, surface_1.view);
-    float _e136 = profile_2_(_e133, 0.0, gleam_tone_shape);
+    Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
+    float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
     Light _e139 = u_look.room;
     LitLayer _e145 = light_apply(_e139, vec4(1.0, 0.9647, 0.8941, 1.0), _e136);
     vec4 _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
     Light _e153 = u_look.room;
-    Angle _e156 = parametrization_specular(_e153, surface_1.normal, surface_1.view);
-    float _e159 = profile_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
+    Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
+    float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
     Light _e162 = u_look.room;
     LitLayer _e168 = light_apply(_e162, vec4(0.1725, 0.1843, 0.2196, 1.0), _e159);
     vec4 output_ = clamp(vec4((_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz))), 1.0), vec4(0.0), vec4(1.0));

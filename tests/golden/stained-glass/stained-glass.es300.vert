@@ -44,7 +44,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;

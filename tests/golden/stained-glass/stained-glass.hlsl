@@ -136,7 +136,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
@@ -186,52 +185,6 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(float x_1)
-{
-    float whole = round(x_1);
-    float f = (x_1 - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
-}
-
-float exp2_stable_2_(float x_2)
-{
-    float clamped_2 = max(x_2, -126.0);
-    float whole_1 = round(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_3)
-{
-    uint bits = asuint(x_3);
-    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
-}
-
-float log1p_negative_small(float y)
-{
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-float2 sin_cos_tiny(float x_4)
-{
-    float y_2 = (x_4 * x_4);
-    float s = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
-    return float2(s, c);
-}
-
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
 {
     float square_1 = dot(v_1, v_1);
@@ -244,20 +197,10 @@ float3 normalize_seen(float3 v_2)
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_5)
+float log2_one_minus(float y)
 {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -265,8 +208,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w_6 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_6, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -278,38 +221,27 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s_2 = (u_1.half_sin - 0.0);
+    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
+    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+float bounded(float x_1)
 {
-    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_3 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_3;
+    uint bits = asuint(x_1);
+    uint magnitude = (bits & 2147483647u);
+    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float bounded(float x_6)
+float eased(float x_2, float low, float high)
 {
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-float eased(float x_7, float low, float high)
-{
-    const float _e3 = bounded(x_7);
+    const float _e3 = bounded(x_2);
     const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
 float length_of(float3 v_3)
@@ -322,10 +254,10 @@ float length_of(float3 v_3)
     return _e16;
 }
 
-float footprint_of(float x_8)
+float footprint_of(float x_3)
 {
-    float _e1 = ddx(x_8);
-    float _e2 = ddy(x_8);
+    float _e1 = ddx(x_3);
+    float _e2 = ddy(x_3);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -345,9 +277,9 @@ float footprint_of_vec3_2_(float3 v_5)
     return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
 }
 
-float step_filtered(float x_9, float edge, float w)
+float step_filtered(float x_4, float edge, float w)
 {
-    float d_2 = (x_9 - edge);
+    float d_2 = (x_4 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
@@ -359,7 +291,7 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_10, float w_1)
+float4 ramp_at(Ramp ramp, float x_5, float w_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -392,7 +324,7 @@ float4 ramp_at(Ramp ramp, float x_10, float w_1)
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places[min(uint(naga_div(_e26, 4u)), 3u)][min(uint(naga_mod(_e30, 4u)), 3u)];
-        const float _e35 = step_filtered(x_10, _e34, w_1);
+        const float _e35 = step_filtered(x_5, _e34, w_1);
         color = (_e16 + ((_e19 - _e24) * _e35));
     }
     float4 _e41 = color;
@@ -408,9 +340,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
         return normal;
     }
     float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_5 = (along_y.xyz / (largest_3).xxx);
+    float3 t_3 = (along_y.xyz / (largest_3).xxx);
     float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_5, normal);
+    float3 right = cross(t_3, normal);
     float3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -460,122 +392,74 @@ LitLayer light_apply(Light light, float4 color_3, float tone_2)
     return litlayer;
 }
 
-Angle parametrization_specular(Light light_1, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal_2, float3 view)
 {
-    float3 mirrored = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const float3 _e8 = normalize_moderate(mirrored, normal_2);
-    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
-    return angle_4;
+    float3 d_3 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d_3 - light_1.direction))), (0.5 * length((d_3 + light_1.direction))));
+    return angle_3;
 }
 
-float profile_power(float q, float exponent)
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    float log_base = 0.0;
-
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    float q = (s * shape.scale);
+    const float _e8 = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1)
 {
-    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
-    if (((s_4 <= 0.0) | false)) {
-        return 1.0;
-    }
-    float q_2 = (s_4 * shape.scale);
-    const float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp_1 = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w_2 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_power_2_(float q_1, float exponent_1)
+float profile_filtered_quick(Angle u_2, float w_3, ProfileShape shape_2)
 {
-    float log_base_1 = 0.0;
-
-    if ((q_1 >= 1.0)) {
-        return 0.0;
+    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_3 < (0.1 * shape_2.edge_deviation))) {
+        return _e19;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
-    } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    float r = (0.19364917 * w_3);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
+    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+float profile_filtered_quick_2_(Angle u_3, float w_4, ProfileShape shape_3)
 {
-    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
-    if (((s_5 <= 0.0) | false)) {
-        return 1.0;
+    float2 place_1 = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_4 > 0.0) & (w_4 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
+        return _e28;
     }
-    float q_3 = (s_5 * shape_1.scale);
-    const float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    const float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_4 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
+    }
+    float r_1 = (0.19364917 * w_4);
+    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
+    const float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    const float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
+    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_2)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
 {
-    const float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = (w_2 < (0.1 * shape_2.edge_deviation));
-    if (((is_wide_1 | (w_2 <= 0.0)) | false)) {
-        return _e3;
-    }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    const Angle _e16 = angle_turned(u_5, _e15);
-    const float _e17 = profile_point(_e16, shape_2);
-    const Angle _e22 = angle_turned(u_5, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_2);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
-}
-
-float profile_filtered_2_(Angle u_6, float w_3, ProfileShape shape_3)
-{
-    const float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_2 = (w_3 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide_2 | (w_3 <= 0.0)) | false)) {
-        return _e3;
-    }
-    if ((true & (w_3 >= (3.4641016 * shape_3.edge_deviation)))) {
-        float width = sqrt(((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-        const float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
-    }
-    const float2 _e44 = sin_cos_tiny((0.19364917 * w_3));
-    const Angle _e45 = angle_turned(u_6, _e44);
-    const float _e46 = profile_point_2_(_e45, shape_3);
-    const Angle _e51 = angle_turned(u_6, float2(-(_e44.x), _e44.y));
-    const float _e52 = profile_point_2_(_e51, shape_3);
-    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
-}
-
-float profile(Angle angle, float shift, ProfileShape shape_4)
-{
-    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_4);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
+    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -629,14 +513,14 @@ uint3 lattice_hash(int3 cell, uint seed_1)
 float gradient_dot(uint3 hash_1, float3 d)
 {
     uint axis = naga_mod((hash_1.x >> 8u), 3u);
-    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float3 fade_quintic(float3 t_2)
+float3 fade_quintic(float3 t_1)
 {
-    return (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
@@ -649,8 +533,8 @@ float perlin_noise(float3 p, uint seed_2)
     int i_1 = int(0);
 
     float3 corner = floor(p);
-    float3 d_3 = (p - corner);
-    const float3 _e4 = fade_quintic(d_3);
+    float3 d_4 = (p - corner);
+    const float3 _e4 = fade_quintic(d_4);
     int3 cell_1 = naga_f2i32(corner);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
     bool loop_init_1 = true;
@@ -675,7 +559,7 @@ float perlin_noise(float3 p, uint seed_2)
             float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
             float _e32 = sum;
             const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_3 - float3(at)));
+            const float _e42 = gradient_dot(_e39, (d_4 - float3(at)));
             sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
         }
     }
@@ -709,7 +593,7 @@ Cell nearest_cell(float3 p_1, uint seed_3)
     int i_3 = int(0);
 
     float3 corner_1 = floor(p_1);
-    float3 d_4 = (p_1 - corner_1);
+    float3 d_5 = (p_1 - corner_1);
     int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
     bool loop_init_2 = true;
@@ -733,7 +617,7 @@ Cell nearest_cell(float3 p_1, uint seed_3)
             int3 at_1 = int3(asint(asuint(naga_mod(_e16, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e21, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e28, int(9))) - asuint(int(1))));
             const uint3 _e35 = lattice_hash(asint(asuint(cell_2) + asuint(at_1)), seed_3);
             const float3 _e40 = unit_of_hash(_e35);
-            float3 offset = (((float3(at_1) + (0.25).xxx) + (0.5 * _e40)) - d_4);
+            float3 offset = (((float3(at_1) + (0.25).xxx) + (0.5 * _e40)) - d_5);
             float3 _e46 = nearest;
             float3 _e47 = nearest;
             if ((dot(offset, offset) < dot(_e46, _e47))) {
@@ -768,7 +652,7 @@ Cell nearest_cell(float3 p_1, uint seed_3)
             const uint3 _e90 = lattice_hash(asint(asuint(cell_2) + asuint(at_2)), seed_3);
             const float3 _e91 = unit_of_hash(_e90);
             float3 _e96 = nearest;
-            float3 apart = ((((float3(at_2) + (0.25).xxx) + (0.5 * _e91)) - d_4) - _e96);
+            float3 apart = ((((float3(at_2) + (0.25).xxx) + (0.5 * _e91)) - d_5) - _e96);
             float between = length(apart);
             if ((between > 0.25)) {
                 float _e101 = border;
@@ -785,7 +669,7 @@ Cell nearest_cell(float3 p_1, uint seed_3)
     return cell_3;
 }
 
-float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int seed_4, float w_4)
+float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int seed_4, float w_5)
 {
     float octave = (float)0;
     int i_4 = int(0);
@@ -809,15 +693,15 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        const float _e25 = eased((w_5 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_4;
-            float3 place = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_4;
-            const float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            const float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -875,26 +759,26 @@ float4 shade(Surface surface_1)
     float3 _e32 = look.sun.direction;
     float3 _e40 = look.sun.direction;
     Angle sun_turn = ConstructAngle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
-    const float _e48 = profile(sun_turn, 0.0, through_the_glass_shape);
+    const float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     float4 light_through_it = clamp(float4((_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float3 _e69 = look.room.direction;
     float3 _e77 = look.room.direction;
     Angle room_turn = ConstructAngle((0.5 * length((_e28 - _e69))), (0.5 * length((_e28 + _e77))));
-    const float _e85 = profile(room_turn, 0.0, on_the_glass_shape);
+    const float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     float4 light_on_it = clamp(float4((light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     const float _e106 = footprint_of(_e4.border);
     const float _e110 = step_filtered(_e4.border, 0.035, length(float2(_e106, 0.0)));
     float leading = (1.0 - _e110);
     float4 leading_2_ = clamp(float4((light_on_it.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     Light _e131 = look.room;
-    const Angle _e133 = parametrization_specular(_e131, _e28, surface_1.view);
-    const float _e136 = profile_2_(_e133, 0.0, gleam_tone_shape);
+    const Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
+    const float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
     Light _e139 = look.room;
     const LitLayer _e145 = light_apply(_e139, float4(1.0, 0.9647, 0.8941, 1.0), _e136);
     const float4 _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
     Light _e153 = look.room;
-    const Angle _e156 = parametrization_specular(_e153, surface_1.normal, surface_1.view);
-    const float _e159 = profile_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
+    const Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
+    const float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
     Light _e162 = look.room;
     const LitLayer _e168 = light_apply(_e162, float4(0.1725, 0.1843, 0.2196, 1.0), _e159);
     float4 output = clamp(float4((_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);

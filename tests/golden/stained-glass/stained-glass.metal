@@ -92,7 +92,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
@@ -126,57 +125,6 @@ metal::float3 normalize_or(
     return scaled * (1.0 / metal::sqrt(square));
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-float exp2_stable(
-    float x_1
-) {
-    float whole = metal::rint(x_1);
-    float f = x_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
-}
-
-float exp2_stable_2_(
-    float x_2
-) {
-    float clamped_2 = metal::max(x_2, -126.0);
-    float whole_1 = metal::rint(clamped_2);
-    float f_1 = clamped_2 - whole_1;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
-}
-
-float log1p_negative_small(
-    float y
-) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
-}
-
-metal::float2 sin_cos_tiny(
-    float x_4
-) {
-    float y_2 = x_4 * x_4;
-    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
-    return metal::float2(s, c);
-}
-
 metal::float3 normalize_moderate(
     metal::float3 v_1,
     metal::float3 otherwise_1
@@ -192,22 +140,11 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
-float atan2_positive(
-    float y_1,
-    float x_5
+float log2_one_minus(
+    float y
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_3 = small / large;
-    bool is_wide = t_3 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_3;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
+    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -216,50 +153,38 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w_6 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_6, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_2 = u_1.half_sin - 0.0;
+    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
-) {
-    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
-    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
-}
-
 float bounded(
-    float x_6
+    float x_1
 ) {
-    uint bits_1 = as_type<uint>(x_6);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    uint bits = as_type<uint>(x_1);
+    uint magnitude = bits & 2147483647u;
+    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 float eased(
-    float x_7,
+    float x_2,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_7);
+    float _e3 = bounded(x_2);
     float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_4 = metal::clamp(_e8, 0.0, 1.0);
-    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
 float length_of(
@@ -274,10 +199,10 @@ float length_of(
 }
 
 float footprint_of(
-    float x_8
+    float x_3
 ) {
-    float _e1 = metal::dfdx(x_8);
-    float _e2 = metal::dfdy(x_8);
+    float _e1 = metal::dfdx(x_3);
+    float _e2 = metal::dfdy(x_3);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
@@ -300,11 +225,11 @@ float footprint_of_vec3_2_(
 }
 
 float step_filtered(
-    float x_9,
+    float x_4,
     float edge,
     float w
 ) {
-    float d_2 = x_9 - edge;
+    float d_2 = x_4 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
 }
 
@@ -318,7 +243,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_10,
+    float x_5,
     float w_1
 ) {
     type_5 colors = {};
@@ -351,7 +276,7 @@ Color ramp_at(
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places.inner[naga_div(_e26, 4u)][naga_mod(_e30, 4u)];
-        float _e35 = step_filtered(x_10, _e34, w_1);
+        float _e35 = step_filtered(x_5, _e34, w_1);
         color = _e16 + ((_e19 - _e24) * _e35);
     }
     metal::float4 _e41 = color;
@@ -370,9 +295,9 @@ metal::float3 bumped_normal(
         return normal;
     }
     metal::float3 s_3 = along_x.xyz / metal::float3(largest_3);
-    metal::float3 t_5 = along_y.xyz / metal::float3(largest_3);
+    metal::float3 t_3 = along_y.xyz / metal::float3(largest_3);
     metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_5, normal);
+    metal::float3 right = metal::cross(t_3, normal);
     metal::float3 up = metal::cross(normal, s_3);
     float area = metal::dot(s_3, right);
     if (metal::abs(area) < 0.000001) {
@@ -431,142 +356,93 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
-Angle parametrization_specular(
+Angle parametrization_specular_balanced(
     Light light_1,
     metal::float3 normal_2,
     metal::float3 view
 ) {
-    metal::float3 mirrored = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
-    metal::float3 _e8 = normalize_moderate(mirrored, normal_2);
-    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
+    metal::float3 d_3 = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
+    return Angle {0.5 * metal::length(d_3 - light_1.direction), 0.5 * metal::length(d_3 + light_1.direction)};
 }
 
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e11 = log1p_negative_small(q * q);
-        log_base = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
-        log_base = _e18;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point(
-    Angle u_3,
+float profile_soft_quick(
+    float s,
     ProfileShape shape
 ) {
-    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
-    if ((s_4 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_2 = s_4 * shape.scale;
-    float _e17 = profile_power(q_2, shape.exponent);
-    return _e17;
+    float q = s * shape.scale;
+    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_power_2_(
-    float q_1,
-    float exponent_1
-) {
-    float log_base_1 = 0.0;
-    if (q_1 >= 1.0) {
-        return 0.0;
-    }
-    if (q_1 < 0.5) {
-        float _e11 = log1p_negative_small(q_1 * q_1);
-        log_base_1 = LOG2_E * _e11;
-    } else {
-        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
-        log_base_1 = _e18;
-    }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_(exponent_1 * _e19);
-    return metal::min(_e21, 1.0);
-}
-
-float profile_point_2_(
-    Angle u_4,
+float profile_ramp_quick(
+    float s_1,
+    float w_2,
     ProfileShape shape_1
 ) {
-    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
-    if ((s_5 <= 0.0) | false) {
-        return 1.0;
-    }
-    float q_3 = s_5 * shape_1.scale;
-    float _e17 = profile_power_2_(q_3, shape_1.exponent);
-    return _e17;
+    float width = metal::sqrt((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w_2 <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
-float profile_filtered(
-    Angle u_5,
-    float w_2,
+float profile_filtered_quick(
+    Angle u_2,
+    float w_3,
     ProfileShape shape_2
 ) {
-    float _e3 = profile_point(u_5, shape_2);
-    bool is_wide_1 = w_2 < (0.1 * shape_2.edge_deviation);
-    if ((is_wide_1 | (w_2 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if (w_3 < (0.1 * shape_2.edge_deviation)) {
+        return _e19;
     }
-    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point(_e16, shape_2);
-    Angle _e22 = angle_turned(u_5, metal::float2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_2);
-    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+    float r = 0.19364917 * w_3;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
+    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
-float profile_filtered_2_(
-    Angle u_6,
-    float w_3,
+float profile_filtered_quick_2_(
+    Angle u_3,
+    float w_4,
     ProfileShape shape_3
 ) {
-    float _e3 = profile_point_2_(u_6, shape_3);
-    bool is_wide_2 = w_3 < (0.1 * shape_3.edge_deviation);
-    if ((is_wide_2 | (w_3 <= 0.0)) | false) {
-        return _e3;
+    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
+        return _e28;
     }
-    if (true & (w_3 >= (3.4641016 * shape_3.edge_deviation))) {
-        float width = metal::sqrt((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
-        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if (w_4 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
-    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_3);
-    Angle _e45 = angle_turned(u_6, _e44);
-    float _e46 = profile_point_2_(_e45, shape_3);
-    Angle _e51 = angle_turned(u_6, metal::float2(-(_e44.x), _e44.y));
-    float _e52 = profile_point_2_(_e51, shape_3);
-    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+    float r_1 = 0.19364917 * w_4;
+    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
+    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
+    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
+    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile(
+float profile_balanced(
     Angle angle,
     float shift,
     ProfileShape shape_4
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_2_(
+float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
     ProfileShape shape_5
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -625,15 +501,15 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash_1.x >> 8u, 3u);
-    float a_1 = (axis == 0u) ? d.y : d.x;
+    float a = (axis == 0u) ? d.y : d.x;
     float b = (axis == 2u) ? d.y : d.z;
-    return (((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b));
+    return (((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b));
 }
 
 metal::float3 fade_quintic(
-    metal::float3 t_2
+    metal::float3 t_1
 ) {
-    return ((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -647,8 +523,8 @@ float perlin_noise(
     float sum = 0.0;
     int i_1 = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_3 = p - corner;
-    metal::float3 _e4 = fade_quintic(d_3);
+    metal::float3 d_4 = p - corner;
+    metal::float3 _e4 = fade_quintic(d_4);
     metal::int3 cell_1 = naga_f2i32(corner);
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
@@ -673,7 +549,7 @@ float perlin_noise(
             metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at == metal::int3(1));
             float _e32 = sum;
             metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at)), seed_2);
-            float _e42 = gradient_dot(_e39, d_3 - static_cast<metal::float3>(at));
+            float _e42 = gradient_dot(_e39, d_4 - static_cast<metal::float3>(at));
             sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
         }
     }
@@ -700,7 +576,7 @@ Cell nearest_cell(
     float border = {};
     int i_3 = 0;
     metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_4 = p_1 - corner_1;
+    metal::float3 d_5 = p_1 - corner_1;
     metal::int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_2 = uint2(4294967295u);
     bool loop_init_2 = true;
@@ -724,7 +600,7 @@ Cell nearest_cell(
             metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e16, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e21, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e28, 9)) - as_type<uint>(1)));
             metal::uint3 _e35 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1)), seed_3);
             metal::float3 _e40 = unit_of_hash(_e35);
-            metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * _e40)) - d_4;
+            metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * _e40)) - d_5;
             metal::float3 _e46 = nearest;
             metal::float3 _e47 = nearest;
             if (metal::dot(offset, offset) < metal::dot(_e46, _e47)) {
@@ -759,7 +635,7 @@ Cell nearest_cell(
             metal::uint3 _e90 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2)), seed_3);
             metal::float3 _e91 = unit_of_hash(_e90);
             metal::float3 _e96 = nearest;
-            metal::float3 apart = (((static_cast<metal::float3>(at_2) + metal::float3(0.25)) + (0.5 * _e91)) - d_4) - _e96;
+            metal::float3 apart = (((static_cast<metal::float3>(at_2) + metal::float3(0.25)) + (0.5 * _e91)) - d_5) - _e96;
             float between = metal::length(apart);
             if (between > 0.25) {
                 float _e101 = border;
@@ -781,7 +657,7 @@ float fractal_noise(
     int octaves,
     float roughness,
     int seed_4,
-    float w_4
+    float w_5
 ) {
     float octave = {};
     int i_4 = 0;
@@ -804,15 +680,15 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
+        float _e25 = eased(w_5 * _e21, 0.5, 1.0);
         float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
             int _e33 = i_4;
-            metal::float3 place = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place_2 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
             int _e47 = i_4;
-            float _e50 = perlin_noise(place, 0u + static_cast<uint>(_e47));
+            float _e50 = perlin_noise(place_2, 0u + static_cast<uint>(_e47));
             octave = metal::mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -871,26 +747,26 @@ metal::float4 shade(
     metal::float3 _e32 = look.sun.direction;
     metal::float3 _e40 = look.sun.direction;
     Angle sun_turn = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
-    float _e48 = profile(sun_turn, 0.0, through_the_glass_shape);
+    float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     metal::float4 light_through_it = metal::clamp(metal::float4(_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 _e69 = look.room.direction;
     metal::float3 _e77 = look.room.direction;
     Angle room_turn = Angle {0.5 * metal::length(_e28 - _e69), 0.5 * metal::length(_e28 + _e77)};
-    float _e85 = profile(room_turn, 0.0, on_the_glass_shape);
+    float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     metal::float4 light_on_it = metal::clamp(metal::float4(light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     float _e106 = footprint_of(_e4.border);
     float _e110 = step_filtered(_e4.border, 0.035, metal::length(metal::float2(_e106, 0.0)));
     float leading = 1.0 - _e110;
     metal::float4 leading_2_ = metal::clamp(metal::float4(light_on_it.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     Light _e131 = look.room;
-    Angle _e133 = parametrization_specular(_e131, _e28, surface_1.view);
-    float _e136 = profile_2_(_e133, 0.0, gleam_tone_shape);
+    Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
+    float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
     Light _e139 = look.room;
     LitLayer _e145 = light_apply(_e139, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e136);
     Composite _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
     Light _e153 = look.room;
-    Angle _e156 = parametrization_specular(_e153, surface_1.normal, surface_1.view);
-    float _e159 = profile_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
+    Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
+    float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
     Light _e162 = look.room;
     LitLayer _e168 = light_apply(_e162, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e159);
     metal::float4 output = metal::clamp(metal::float4(_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));

@@ -78,7 +78,6 @@ struct Ramp {
     interpolation: u32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -103,56 +102,6 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable(x: f32) -> f32 {
-    let whole = round(x);
-    let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
-/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
-fn log2_stable(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
-    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
-    let z = (mantissa - 1.0) / (mantissa + 1.0);
-    let z2 = z * z;
-    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
-        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
-}
-
-/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
-fn log1p_negative_small(y: f32) -> f32 {
-    let z = y / (2.0 - y);
-    let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-}
-
-/// [`sin_cos_quarter`] for |x| <= 0.1.
-fn sin_cos_tiny(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
-    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
-    return vec2f(s, c);
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -166,25 +115,12 @@ fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+fn log2_one_minus(y: f32) -> f32 {
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -199,21 +135,9 @@ fn angle_footprint(u: Angle) -> f32 {
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
-    return Angle(turned.x, turned.y);
-}
-
-/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
-fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin - u.half_cos * 0.0;
-    let c = u.half_cos + u.half_sin * 0.0;
-    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    let s = u.half_sin - 0.0;
+    let upper = select(vec2f(s, u.half_cos), vec2f(1.0, 0.0), u.half_cos <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < u.half_cos));
     return Angle(turned.x, turned.y);
 }
 
@@ -354,9 +278,8 @@ struct LitLayer {
     tone: f32,
 }
 
-fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let mirrored = 2.0 * dot(normal, view) * normal - view;
-    let d = normalize_moderate(mirrored, normal);
+fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
+    let d = 2.0 * dot(normal, view) * normal - view;
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -379,111 +302,66 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
+        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
-/// alpha at one angle, without antialiasing; `u` is warped already.
-fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
-        return 1.0;
-    }
-    let q = s * shape.scale;
-    return profile_power_2(q, shape.exponent);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
+    let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    let from_offset = s * (2.0 + s * s * 0.333333333333333333);
+    let ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable(exponent * log_base), 1.0);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power_2(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = LOG2_E * log1p_negative_small(q * q);
-    } else {
-        log_base = log2_stable((1.0 - q) * (1.0 + q));
-    }
-    return min(exp2_stable_2(exponent * log_base), 1.0);
-}
-
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
-/// quadrature where it is narrow, the point value where it is wide.
-fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let point = profile_point_2(u, shape);
-    let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
+    if false | is_narrow {
+        return profile_ramp_quick(place.x, w, shape);
+    }
+    let point = profile_soft_quick(place.x, shape);
+    if w < 0.1 * shape.edge_deviation {
         return point;
     }
-    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
-            u.half_cos)) / width, 0.0, 1.0);
-    }
-    let reach = sin_cos_tiny(0.193649167310370844 * w);
-    let before = profile_point_2(angle_turned(u, reach), shape);
-    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    let r = 0.193649167310370844 * w;
+    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-/// Profile
-///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
-/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
-///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
-/// beyond that the curve is still falling, but it is steepest elsewhere too.
-fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_2(warped, angle_footprint(warped), shape);
+fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 const NOISE_PERLIN: u32 = 1u;
@@ -665,20 +543,20 @@ fn shade(surface: Surface) -> vec4f {
     let wavering_glass = noise_perlin(surface.position_object, 5.0, 2i, 0.5, 0i);
     let glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
     let sun_turn = Angle(0.5 * length(glass - look.sun.direction), 0.5 * length(glass + look.sun.direction));
-    let through_the_glass = profile(sun_turn, 0.0, through_the_glass_shape);
+    let through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     let light_through_it = clamp(vec4f(glass_in_shade.xyz + 0.95 * (glass_in_shade.xyz + through_the_glass * colors_2.xyz - glass_in_shade.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let room_turn = Angle(0.5 * length(glass - look.room.direction), 0.5 * length(glass + look.room.direction));
-    let on_the_glass = profile(room_turn, 0.0, on_the_glass_shape);
+    let on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     let light_on_it = clamp(vec4f(light_through_it.xyz + 0.45 * (light_through_it.xyz + on_the_glass * colors_2.xyz - light_through_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let seam = step_filtered(panes.border, 0.035, length(vec2f(footprint_of(panes.border), 0.0)));
     let leading = 1.0 - seam;
     let leading_2 = clamp(vec4f(light_on_it.xyz + leading * (vec4f(0.0824, 0.0863, 0.102, 1.0).xyz - light_on_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let gleam_angle = parametrization_specular(look.room, glass, surface.view);
-    let gleam_tone = profile_2(gleam_angle, 0.0, gleam_tone_shape);
+    let gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
+    let gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
     let gleam_lit = light_apply(look.room, vec4f(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     let gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
-    let edge_of_the_lead_angle = parametrization_specular(look.room, surface.normal, surface.view);
-    let edge_of_the_lead_tone = profile_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
+    let edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
+    let edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
     let edge_of_the_lead_lit = light_apply(look.room, vec4f(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
     let edge_of_the_lead_blend = clamp(vec4f(gleam_blend.xyz + 0.35 * (gleam_blend.xyz + edge_of_the_lead_lit.tone * edge_of_the_lead_lit.color.xyz - gleam_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = edge_of_the_lead_blend;

@@ -64,8 +64,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float SMALLEST_NORMAL = 1.1754944e-38;
-
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
 layout(std140, binding = 1) uniform ObjectBlock { Object u_object; };
@@ -98,27 +96,19 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 }
 
 float exp2_stable(float x_1) {
-    float clamped = clamp(x_1, -126.0, 127.99999);
-    float whole_1 = roundEven(clamped);
-    float f = (clamped - whole_1);
+    float whole_1 = roundEven(x_1);
+    float f = (x_1 - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_2) {
-    float whole_2 = roundEven(x_2);
-    float f_1 = (x_2 - whole_2);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
-}
-
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
@@ -131,11 +121,11 @@ vec3 normalize_seen(vec3 v_2) {
     return _e5;
 }
 
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
+float bounded(float x_3) {
+    uint bits_1 = floatBitsToUint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 vec3 bounded_vec3_(vec3 v_3) {
@@ -146,35 +136,20 @@ vec3 bounded_vec3_(vec3 v_3) {
     return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-float powered(float base, float exponent) {
-    float magnitude_2 = abs(base);
-    float _e5 = log2_stable(max(magnitude_2, SMALLEST_NORMAL));
-    float _e7 = exp2_stable_2_((exponent * _e5));
-    return ((magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
-float footprint_of(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_6, float edge, float w) {
-    float d_1 = (x_6 - edge);
+float step_filtered(float x_5, float edge, float w) {
+    float d_1 = (x_5 - edge);
     return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
 }
 
-float curvature_signed(float kappa, float slope) {
-    float a = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a), 50.0);
-    if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_1 : -(t_1));
+float curvature_signed_balanced(float kappa, float slope) {
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -225,8 +200,8 @@ float value_noise(vec3 p, uint seed_1) {
     int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
-    vec3 t_2 = (p - corner);
-    vec3 f_2 = (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 t_1 = (p - corner);
+    vec3 f_1 = (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
@@ -243,7 +218,7 @@ float value_noise(vec3 p, uint seed_1) {
         int _e28 = i;
         int _e33 = i;
         ivec3 at_1 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight = mix((vec3(1.0) - f_2), f_2, equal(at_1, ivec3(1)));
+        vec3 weight = mix((vec3(1.0) - f_1), f_1, equal(at_1, ivec3(1)));
         float _e44 = sum;
         uvec3 _e58 = hash_pcg3d((uvec3((cell + at_1)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
         sum = (_e44 + (((weight.x * weight.y) * 0.5) * (vec3((_e58 >> uvec3(8u))) * 5.9604645e-8).x));
@@ -258,7 +233,7 @@ float size_on_screen(float depth, float perspective, float scale) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn = vec2(0.0, 1.0);
+    vec2 turn = vec2(sin(angle), cos(angle));
     vec3 _e12 = bounded_vec3_(((turn.y * along) + (turn.x * across)));
     vec3 _e18 = bounded_vec3_(((turn.y * across) - (turn.x * along)));
     vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
@@ -301,18 +276,18 @@ SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
 }
 
-Stroke stroke_at(ivec2 line, float x_7, int zoom, Strokes style) {
+Stroke stroke_at(ivec2 line, float x_6, int zoom, Strokes style) {
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(line, 1048576)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
     vec3 own_1 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     return Stroke(own_1.y, 1.0);
 }
 
-Stroke stroke_between(ivec2 line_1, float x_8, float level, Strokes style_1) {
+Stroke stroke_between(ivec2 line_1, float x_7, float level, Strokes style_1) {
     float zoom_2 = floor(level);
-    Stroke _e6 = stroke_at(line_1, x_8, int(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_8, (int(zoom_2) + 1), style_1);
-    float f_3 = (level - zoom_2);
-    return Stroke(mix(_e6.turn, _e10.turn, f_3), mix(1.0, 1.0, f_3));
+    Stroke _e6 = stroke_at(line_1, x_7, int(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_7, (int(zoom_2) + 1), style_1);
+    float f_2 = (level - zoom_2);
+    return Stroke(mix(_e6.turn, _e10.turn, f_2), mix(1.0, 1.0, f_2));
 }
 
 float stray_at(vec2 place_3, int zoom_1, uint seed_2) {
@@ -338,31 +313,30 @@ float hatched(vec2 place_4, float w_2, float level_1, float ink, Strokes style_2
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    float _e12 = powered(ink, (1.0 - style_2.pressure));
-    float _e15 = powered(ink, style_2.pressure);
-    float width = (style_2.width * _e15);
+    float number = pow(ink, (1.0 - style_2.pressure));
+    float width = (style_2.width * pow(ink, style_2.pressure));
     float zoom_3 = floor(level_1);
     float _e20 = stray_at(place_4, int(zoom_3), 7u);
     float _e25 = stray_at(place_4, (int(zoom_3) + 1), 7u);
     float stray = mix(_e20, _e25, (level_1 - zoom_3));
     float across_3 = (place_4.y + (style_2.wobble * stray));
-    float _e34 = log2_stable(max(_e12, 1e-9));
+    float _e34 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e34), -40.0);
     float octave_1 = floor(density);
-    float _e40 = exp2_stable_2_((density - octave_1));
+    float _e40 = exp2_stable((density - octave_1));
     float growth = (_e40 - 1.0);
     float scale_2 = uintBitsToFloat((uint((int(octave_1) + 127)) << 23u));
     float q = clamp((across_3 * scale_2), -4194304.0, 4194304.0);
-    float _e57 = exp2_stable_2_((octave_1 - level_1));
+    float _e57 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width) * _e57);
     float footprint = (w_2 * scale_2);
-    int whole_3 = int(roundEven(q));
-    ivec2 _e63 = line_of(whole_3, int(octave_1));
+    int whole_2 = int(roundEven(q));
+    ivec2 _e63 = line_of(whole_2, int(octave_1));
     Stroke _e65 = stroke_between(_e63, place_4.x, level_1, style_2);
     float middle = floor(q);
     Stroke _e77 = stroke_between(ivec2(((2 * int(middle)) + 1), (int(octave_1) + 1)), place_4.x, level_1, style_2);
     float grown = clamp(((growth - (0.75 * _e77.turn)) / 0.25), 0.0, 1.0);
-    float _e91 = band_filtered((q - float(whole_3)), (half_1 * _e65.profile), footprint);
+    float _e91 = band_filtered((q - float(whole_2)), (half_1 * _e65.profile), footprint);
     float _e98 = band_filtered(((q - middle) - 0.5), ((half_1 * grown) * _e77.profile), footprint);
     float mean = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
     return mix(max(_e91, _e98), mean, smoothstep(0.75, 1.5, footprint));
@@ -372,7 +346,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
     int i_1 = 0;
     float free = 1.0;
-    vec2 x_9 = dFdx(at.place);
+    vec2 x_8 = dFdx(at.place);
     vec2 y = dFdy(at.place);
     bool loop_init_1 = true;
     while(true) {
@@ -390,7 +364,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
             vec2 turn_1 = vec2(0.0, 1.0);
             vec2 along_2 = vec2(turn_1.y, turn_1.x);
             vec2 across_4 = vec2(-(turn_1.x), turn_1.y);
-            float w_3 = length(vec2(dot(across_4, x_9), dot(across_4, y)));
+            float w_3 = length(vec2(dot(across_4, x_8), dot(across_4, y)));
             float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
             float _e59 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
@@ -429,7 +403,7 @@ vec4 shade(Surface surface_1) {
     float black = (1.0 - _e76);
     float ink1_ = max(_e70, black);
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e93 = curvature_signed(curvature, 0.22);
+    float _e93 = curvature_signed_balanced(curvature, 0.22);
     float hollow_to_bulge = (0.5 + (0.5 * _e93));
     float _e99 = footprint_of(hollow_to_bulge);
     float _e103 = step_filtered(hollow_to_bulge, 0.2, length(vec2(_e99, 0.0)));

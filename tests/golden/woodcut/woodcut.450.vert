@@ -25,8 +25,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float SMALLEST_NORMAL = 1.1754944e-38;
-
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
 layout(std140, binding = 1) uniform ObjectBlock { Object u_object; };

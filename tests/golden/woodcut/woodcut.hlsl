@@ -102,8 +102,6 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-static const float SMALLEST_NORMAL = 1.1754944e-38;
-
 cbuffer view_4 : register(b0) { View view_4; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
@@ -150,29 +148,20 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x_1)
 {
-    float clamped = clamp(x_1, -126.0, 127.99999);
-    float whole_1 = round(clamped);
-    float f = (clamped - whole_1);
+    float whole_1 = round(x_1);
+    float f = (x_1 - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
 
-float exp2_stable_2_(float x_2)
+float log2_stable(float x_2)
 {
-    float whole_2 = round(x_2);
-    float f_1 = (x_2 - whole_2);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
-}
-
-float log2_stable(float x_3)
-{
-    uint bits = asuint(x_3);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    uint bits = asuint(x_2);
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
@@ -187,12 +176,12 @@ float3 normalize_seen(float3 v_2)
     return _e5;
 }
 
-float bounded(float x_4)
+float bounded(float x_3)
 {
-    uint bits_1 = asuint(x_4);
+    uint bits_1 = asuint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float3 bounded_vec3_(float3 v_3)
@@ -204,39 +193,23 @@ float3 bounded_vec3_(float3 v_3)
     return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
 }
 
-float powered(float base, float exponent)
+float footprint_of(float x_4)
 {
-    float magnitude_2 = abs(base);
-    const float _e5 = log2_stable(max(magnitude_2, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable_2_((exponent * _e5));
-    return ((magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7);
-}
-
-float footprint_of(float x_5)
-{
-    float _e1 = ddx(x_5);
-    float _e2 = ddy(x_5);
+    float _e1 = ddx(x_4);
+    float _e2 = ddy(x_4);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_6, float edge, float w)
+float step_filtered(float x_5, float edge, float w)
 {
-    float d_1 = (x_6 - edge);
+    float d_1 = (x_5 - edge);
     return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
 }
 
-float curvature_signed(float kappa, float slope)
+float curvature_signed_balanced(float kappa, float slope)
 {
-    float a = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a), 50.0);
-    if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a * a);
-        return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_1 : -(t_1));
+    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -296,8 +269,8 @@ float value_noise(float3 p, uint seed_1)
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 t_2 = (p - corner);
-    float3 f_2 = (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 t_1 = (p - corner);
+    float3 f_1 = (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
     int3 cell = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
@@ -317,7 +290,7 @@ float value_noise(float3 p, uint seed_1)
         int _e28 = i;
         int _e33 = i;
         int3 at_1 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
-        float3 weight = ((at_1 == (int(1)).xxx) ? f_2 : ((1.0).xxx - f_2));
+        float3 weight = ((at_1 == (int(1)).xxx) ? f_1 : ((1.0).xxx - f_1));
         float _e44 = sum;
         const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_1))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
         sum = (_e44 + (((weight.x * weight.y) * 0.5) * (float3((_e58 >> (8u).xxx)) * 5.9604645e-8).x));
@@ -341,7 +314,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    float2 turn = float2(0.0, 1.0);
+    float2 turn = float2(sin(angle), cos(angle));
     const float3 _e12 = bounded_vec3_(((turn.y * along) + (turn.x * across)));
     const float3 _e18 = bounded_vec3_(((turn.y * across) - (turn.x * along)));
     float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
@@ -406,7 +379,7 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_7, int zoom, Strokes style)
+Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
 {
     const uint3 _e12 = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
     float3 own_1 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
@@ -414,13 +387,13 @@ Stroke stroke_at(int2 line_, float x_7, int zoom, Strokes style)
     return stroke;
 }
 
-Stroke stroke_between(int2 line_1, float x_8, float level, Strokes style_1)
+Stroke stroke_between(int2 line_1, float x_7, float level, Strokes style_1)
 {
     float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_8, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_8, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
-    float f_3 = (level - zoom_2);
-    const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_3), lerp(1.0, 1.0, f_3));
+    const Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
+    const Stroke _e10 = stroke_at(line_1, x_7, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
+    float f_2 = (level - zoom_2);
+    const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_2), lerp(1.0, 1.0, f_2));
     return stroke_1;
 }
 
@@ -459,31 +432,30 @@ float hatched(float2 place_4, float w_2, float level_1, float ink, Strokes style
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    const float _e12 = powered(ink, (1.0 - style_2.pressure));
-    const float _e15 = powered(ink, style_2.pressure);
-    float width = (style_2.width * _e15);
+    float number = pow(ink, (1.0 - style_2.pressure));
+    float width = (style_2.width * pow(ink, style_2.pressure));
     float zoom_3 = floor(level_1);
     const float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
     const float _e25 = stray_at(place_4, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), 7u);
     float stray = lerp(_e20, _e25, (level_1 - zoom_3));
     float across_3 = (place_4.y + (style_2.wobble * stray));
-    const float _e34 = log2_stable(max(_e12, 1e-9));
+    const float _e34 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e34), -40.0);
     float octave_1 = floor(density);
-    const float _e40 = exp2_stable_2_((density - octave_1));
+    const float _e40 = exp2_stable((density - octave_1));
     float growth = (_e40 - 1.0);
     float scale_2 = asfloat((uint(asint(asuint(naga_f2i32(octave_1)) + asuint(int(127)))) << 23u));
     float q = clamp((across_3 * scale_2), -4194304.0, 4194304.0);
-    const float _e57 = exp2_stable_2_((octave_1 - level_1));
+    const float _e57 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width) * _e57);
     float footprint = (w_2 * scale_2);
-    int whole_3 = naga_f2i32(round(q));
-    const int2 _e63 = line_of(whole_3, naga_f2i32(octave_1));
+    int whole_2 = naga_f2i32(round(q));
+    const int2 _e63 = line_of(whole_2, naga_f2i32(octave_1));
     const Stroke _e65 = stroke_between(_e63, place_4.x, level_1, style_2);
     float middle = floor(q);
     const Stroke _e77 = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave_1)) + asuint(int(1)))), place_4.x, level_1, style_2);
     float grown = clamp(((growth - (0.75 * _e77.turn)) / 0.25), 0.0, 1.0);
-    const float _e91 = band_filtered((q - float(whole_3)), (half_1 * _e65.profile), footprint);
+    const float _e91 = band_filtered((q - float(whole_2)), (half_1 * _e65.profile), footprint);
     const float _e98 = band_filtered(((q - middle) - 0.5), ((half_1 * grown) * _e77.profile), footprint);
     float mean = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
     return lerp(max(_e91, _e98), mean, smoothstep(0.75, 1.5, footprint));
@@ -495,7 +467,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     int i_1 = int(0);
     float free = 1.0;
 
-    float2 x_9 = ddx(at.place);
+    float2 x_8 = ddx(at.place);
     float2 y = ddy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
     bool loop_init_1 = true;
@@ -516,7 +488,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
             float2 turn_1 = float2(0.0, 1.0);
             float2 along_2 = float2(turn_1.y, turn_1.x);
             float2 across_4 = float2(-(turn_1.x), turn_1.y);
-            float w_3 = length(float2(dot(across_4, x_9), dot(across_4, y)));
+            float w_3 = length(float2(dot(across_4, x_8), dot(across_4, y)));
             float square_3 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
             const float _e59 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
@@ -577,7 +549,7 @@ float4 shade(Surface surface_1)
     float black = (1.0 - _e76);
     float ink1_ = max(_e70, black);
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e93 = curvature_signed(curvature, 0.22);
+    const float _e93 = curvature_signed_balanced(curvature, 0.22);
     float hollow_to_bulge = (0.5 + (0.5 * _e93));
     const float _e99 = footprint_of(hollow_to_bulge);
     const float _e103 = step_filtered(hollow_to_bulge, 0.2, length(float2(_e99, 0.0)));

@@ -80,7 +80,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
 bool is_finite(
     float x
@@ -112,31 +111,21 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x_1
 ) {
-    float clamped = metal::clamp(x_1, -126.0, 127.99999);
-    float whole_1 = metal::rint(clamped);
-    float f = clamped - whole_1;
+    float whole_1 = metal::rint(x_1);
+    float f = x_1 - whole_1;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable_2_(
+float log2_stable(
     float x_2
 ) {
-    float whole_2 = metal::rint(x_2);
-    float f_1 = x_2 - whole_2;
-    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
-    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
-}
-
-float log2_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x_2);
+    int exponent = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 metal::float3 normalize_moderate(
@@ -155,12 +144,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_4
+    float x_3
 ) {
-    uint bits_1 = as_type<uint>(x_4);
+    uint bits_1 = as_type<uint>(x_3);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float3 bounded_vec3_(
@@ -173,47 +162,29 @@ metal::float3 bounded_vec3_(
     return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
 }
 
-float powered(
-    float base,
-    float exponent
-) {
-    float magnitude_2 = metal::abs(base);
-    float _e5 = log2_stable(metal::max(magnitude_2, SMALLEST_NORMAL));
-    float _e7 = exp2_stable_2_(exponent * _e5);
-    return (magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7;
-}
-
 float footprint_of(
-    float x_5
+    float x_4
 ) {
-    float _e1 = metal::dfdx(x_5);
-    float _e2 = metal::dfdy(x_5);
+    float _e1 = metal::dfdx(x_4);
+    float _e2 = metal::dfdy(x_4);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
 
 float step_filtered(
-    float x_6,
+    float x_5,
     float edge,
     float w
 ) {
-    float d_1 = x_6 - edge;
+    float d_1 = x_5 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_1 / w), 0.0, 1.0);
 }
 
-float curvature_signed(
+float curvature_signed_balanced(
     float kappa,
     float slope
 ) {
-    float a = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
-    float magnitude_3 = metal::min(metal::abs(a), 50.0);
-    if (magnitude_3 < 0.0625) {
-        float a2_ = a * a;
-        return a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
-    }
-    float _e32 = exp2_stable(-2.88539 * magnitude_3);
-    float t_1 = (1.0 - _e32) / (1.0 + _e32);
-    return (a >= 0.0) ? t_1 : -(t_1);
+    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 metal::float3x3 axes_around(
@@ -276,8 +247,8 @@ float value_noise(
     int i = 0;
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 t_2 = p - corner;
-    metal::float3 f_2 = ((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 t_1 = p - corner;
+    metal::float3 f_1 = ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
@@ -297,7 +268,7 @@ float value_noise(
         int _e28 = i;
         int _e33 = i;
         metal::int3 at_1 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight = metal::select(metal::float3(1.0) - f_2, f_2, at_1 == metal::int3(1));
+        metal::float3 weight = metal::select(metal::float3(1.0) - f_1, f_1, at_1 == metal::int3(1));
         float _e44 = sum;
         metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
         sum = _e44 + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(_e58 >> metal::uint3(8u)) * 0.000000059604645).x);
@@ -321,7 +292,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::float2(0.0, 1.0);
+    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
     metal::float3 _e12 = bounded_vec3_((turn.y * along) + (turn.x * across));
     metal::float3 _e18 = bounded_vec3_((turn.y * across) - (turn.x * along));
     metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
@@ -391,7 +362,7 @@ SpacedPlace spaced(
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_7,
+    float x_6,
     int zoom,
     Strokes style
 ) {
@@ -402,15 +373,15 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_8,
+    float x_7,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_8, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_8, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
-    float f_3 = level - zoom_2;
-    return Stroke {metal::mix(_e6.turn, _e10.turn, f_3), metal::mix(1.0, 1.0, f_3)};
+    Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_7, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    float f_2 = level - zoom_2;
+    return Stroke {metal::mix(_e6.turn, _e10.turn, f_2), metal::mix(1.0, 1.0, f_2)};
 }
 
 int naga_neg(int val) {
@@ -461,31 +432,30 @@ float hatched(
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    float _e12 = powered(ink, 1.0 - style_2.pressure);
-    float _e15 = powered(ink, style_2.pressure);
-    float width = style_2.width * _e15;
+    float number = metal::pow(ink, 1.0 - style_2.pressure);
+    float width = style_2.width * metal::pow(ink, style_2.pressure);
     float zoom_3 = metal::floor(level_1);
     float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
     float _e25 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), 7u);
     float stray = metal::mix(_e20, _e25, level_1 - zoom_3);
     float across_3 = place_4.y + (style_2.wobble * stray);
-    float _e34 = log2_stable(metal::max(_e12, 0.000000001));
+    float _e34 = log2_stable(metal::max(number, 0.000000001));
     float density = metal::max(level_1 + _e34, -40.0);
     float octave_1 = metal::floor(density);
-    float _e40 = exp2_stable_2_(density - octave_1);
+    float _e40 = exp2_stable(density - octave_1);
     float growth = _e40 - 1.0;
     float scale_2 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(127))) << 23u);
     float q = metal::clamp(across_3 * scale_2, -4194304.0, 4194304.0);
-    float _e57 = exp2_stable_2_(octave_1 - level_1);
+    float _e57 = exp2_stable(octave_1 - level_1);
     float half_1 = (0.5 * width) * _e57;
     float footprint = w_2 * scale_2;
-    int whole_3 = naga_f2i32(metal::rint(q));
-    metal::int2 _e63 = line_of(whole_3, naga_f2i32(octave_1));
+    int whole_2 = naga_f2i32(metal::rint(q));
+    metal::int2 _e63 = line_of(whole_2, naga_f2i32(octave_1));
     Stroke _e65 = stroke_between(_e63, place_4.x, level_1, style_2);
     float middle = metal::floor(q);
     Stroke _e77 = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(1))), place_4.x, level_1, style_2);
     float grown = metal::clamp((growth - (0.75 * _e77.turn)) / 0.25, 0.0, 1.0);
-    float _e91 = band_filtered(q - static_cast<float>(whole_3), half_1 * _e65.profile, footprint);
+    float _e91 = band_filtered(q - static_cast<float>(whole_2), half_1 * _e65.profile, footprint);
     float _e98 = band_filtered((q - middle) - 0.5, (half_1 * grown) * _e77.profile, footprint);
     float mean = metal::min((2.0 * half_1) * (1.0 + growth), 1.0);
     return metal::mix(metal::max(_e91, _e98), mean, metal::smoothstep(0.75, 1.5, footprint));
@@ -501,7 +471,7 @@ float cross_hatched(
     Strokes own = {};
     int i_1 = 0;
     float free = 1.0;
-    metal::float2 x_9 = metal::dfdx(at.place);
+    metal::float2 x_8 = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
@@ -522,7 +492,7 @@ float cross_hatched(
             metal::float2 turn_1 = metal::float2(0.0, 1.0);
             metal::float2 along_2 = metal::float2(turn_1.y, turn_1.x);
             metal::float2 across_4 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_3 = metal::length(metal::float2(metal::dot(across_4, x_9), metal::dot(across_4, y)));
+            float w_3 = metal::length(metal::float2(metal::dot(across_4, x_8), metal::dot(across_4, y)));
             float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
             float _e59 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
             float level_2 = metal::clamp(-0.5 * _e59, -16.0, 16.0);
@@ -572,7 +542,7 @@ metal::float4 shade(
     float black = 1.0 - _e76;
     float ink1_ = metal::max(_e70, black);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e93 = curvature_signed(curvature, 0.22);
+    float _e93 = curvature_signed_balanced(curvature, 0.22);
     float hollow_to_bulge = 0.5 + (0.5 * _e93);
     float _e99 = footprint_of(hollow_to_bulge);
     float _e103 = step_filtered(hollow_to_bulge, 0.2, metal::length(metal::float2(_e99, 0.0)));

@@ -78,18 +78,6 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
-    let whole = round(clamped);
-    let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
-    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
-}
-
-/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
-/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
-fn exp2_stable_2(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
     let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
@@ -123,7 +111,6 @@ fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
 /// is infinite.
 fn bounded(x: f32) -> f32 {
@@ -142,15 +129,6 @@ fn bounded_vec3(v: vec3f) -> vec3f {
     return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
-/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
-/// by 0 is; 0^0 is 1.
-fn powered(base: f32, exponent: f32) -> f32 {
-    let magnitude = abs(base);
-    let raised = exp2_stable_2(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
-    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
-}
-
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -163,19 +141,10 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return select(clamp(0.5 + d / w, 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
-/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
-fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
-    let magnitude = min(abs(a), 50.0);
-    if magnitude < 0.0625 {
-        let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
-    }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
-    let t = (1.0 - z) / (1.0 + z);
-    return select(-t, t, a >= 0.0);
+/// [`curvature_signed`] by the hardware's exponential.
+fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
+    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
+        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -248,7 +217,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+    let turn = vec2f(sin(angle), cos(angle));
     let x = bounded_vec3(turn.y * along + turn.x * across);
     let y = bounded_vec3(turn.y * across - turn.x * along);
     let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
@@ -366,18 +335,18 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
     }
-    let number = powered(ink, 1.0 - style.pressure);
-    let width = style.width * powered(ink, style.pressure);
+    let number = pow(ink, 1.0 - style.pressure);
+    let width = style.width * pow(ink, style.pressure);
     let zoom = floor(level);
     let stray = mix(stray_at(place, i32(zoom), 7u), stray_at(place, i32(zoom) + 1, 7u), level
         - zoom);
     let across = place.y + style.wobble * stray;
     let density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     let octave = floor(density);
-    let growth = exp2_stable_2(density - octave) - 1.0;
+    let growth = exp2_stable(density - octave) - 1.0;
     let scale = bitcast<f32>(u32(i32(octave) + 127) << 23u);
     let q = clamp(across * scale, -4194304.0, 4194304.0);
-    let half = 0.5 * width * exp2_stable_2(octave - level);
+    let half = 0.5 * width * exp2_stable(octave - level);
     let footprint = w * scale;
     let whole = i32(round(q));
     let old = stroke_between(line_of(whole, i32(octave)), place.x, level, style);
@@ -412,7 +381,7 @@ fn cross_hatched(at: SpacedPlace, ink: f32, layers: i32, cross: f32, style: Stro
             break;
         }
         if i < 1i {
-            let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+            let turn = vec2f(sin(0.0), cos(0.0));
             let along = vec2f(turn.y, turn.x);
             let across = vec2f(-turn.x, turn.y);
             let w = length(vec2f(dot(across, x), dot(across, y)));
@@ -466,7 +435,7 @@ fn shade(surface: Surface) -> vec4f {
     let black = 1.0 - deep_shade;
     let ink1 = max(cuts, black);
     let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow_to_bulge = 0.5 + 0.5 * curvature_signed(curvature, 0.22);
+    let hollow_to_bulge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.22);
     let hollows = step_filtered(hollow_to_bulge, 0.2, length(vec2f(footprint_of(hollow_to_bulge), 0.0)));
     let carved = 1.0 - hollows;
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
