@@ -6,10 +6,11 @@ use serde_json::{Value as Json, json};
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
+use super::tier::TierChoice;
 use super::{samples, tier};
 use crate::compile::{CompileOptions, check};
 use crate::diag::Diagnostic;
-use crate::document::{Look, Node, Tier, Value};
+use crate::document::{Look, Node, Value};
 use crate::frame::{Assets, eval_batches};
 use crate::ids::{NodePath, PortName};
 use crate::library::{
@@ -69,9 +70,10 @@ pub(super) struct Arguments {
     /// The samples: a JSON file, or `-` for standard input
     #[arg(long)]
     at: PathBuf,
-    /// The implementation to run in every node: exact, balanced or fast
+    /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
+    /// that nobody can see
     #[arg(long, value_parser = tier::parse)]
-    tier: Option<Tier>,
+    tier: Option<TierChoice>,
     /// The output to print in place of the look's own: NODE.PORT, with `/` between groups and nodes
     #[arg(long)]
     output: Option<String>,

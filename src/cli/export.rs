@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
+use super::tier::{self, TierChoice};
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
@@ -18,6 +19,7 @@ Examples:
   chiaro export look.json --to glsl-es300 -o web/
   chiaro export look.json --to wgsl,spirv,hlsl -o shaders/
   chiaro export look.json --to all -o shaders/
+  chiaro export look.json --to hlsl --tier exact -o shaders/
 
 Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
 file with
@@ -37,6 +39,10 @@ pub(super) struct Arguments {
     /// The folder for the files; made where there is none
     #[arg(short, long)]
     output: Option<OutputPath>,
+    /// The implementation to export of every node: exact, balanced, fast, or automatic, the
+    /// cheapest that nobody can see; the document's without it
+    #[arg(long, value_parser = tier::parse)]
+    tier: Option<TierChoice>,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -60,9 +66,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         check_folder(folder).map_err(|problem| vec![problem])?;
     }
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let library = library_for(&arguments.look, arguments.nodes.as_deref());
+    let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
-    let setup = open_look(&arguments.look, output)?;
+    let mut setup = open_look(&arguments.look, output)?;
+    if let Some(tier) = arguments.tier {
+        tier::set_every_tier(&mut setup.look, &mut library, tier);
+    }
     let located = |mut problems: Vec<Diagnostic>| {
         setup.source.locate_all(&mut problems);
         problems
@@ -103,6 +112,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.json(&json!({"files": files, "languages": slugs, "unverified": unverified}));
     } else {
         files.iter().for_each(|file| output.result(file));
+        tier::told(&setup.look, &library).iter().for_each(|told| output.message(told));
     }
     if let Some(told) = export::unverified(&languages) {
         output.message(&told);

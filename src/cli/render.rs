@@ -9,7 +9,7 @@ use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::scene::check_values;
 use super::target::{OutputPath, outputs, reads_all};
-use super::tier;
+use super::tier::{self, TierChoice};
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
@@ -69,9 +69,10 @@ pub(super) struct Arguments {
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
-    /// The implementation to run in every node: exact, balanced or fast
+    /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
+    /// that nobody can see
     #[arg(long, value_parser = tier::parse)]
-    tier: Option<Tier>,
+    tier: Option<TierChoice>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -149,6 +150,9 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             .iter_mut()
             .for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
     }
+    if arguments.on == Some(ExecutorChoice::Reference) {
+        setup.looks.iter_mut().for_each(|worn| drop(worn.look.tier.get_or_insert(Tier::Exact)));
+    }
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
@@ -188,6 +192,9 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         }));
     } else {
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));
+        for worn in &setup.looks {
+            tier::told(&worn.look, &library).iter().for_each(|told| output.message(told));
+        }
     }
     Ok(())
 }

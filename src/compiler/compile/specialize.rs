@@ -12,6 +12,8 @@ mod bypass;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
+
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
 use super::flatten::ParamId;
 use super::host::{conversion_program, conversion_ranges};
@@ -181,7 +183,7 @@ struct Builder<'a> {
     options: &'a CompileOptions,
     live: HashSet<ParamId>,
     values: Vec<ComputedValue>,
-    known: HashMap<OperationKey, ValueId>,
+    known: FxHashMap<OperationKey, ValueId>,
     /// The outputs of each node; empty until it was built.
     outputs: Vec<Vec<ValueId>>,
     /// The values of the Output node's other roots.
@@ -201,7 +203,7 @@ impl<'a> Builder<'a> {
             options,
             live: live_params(graph, &options.live),
             values: Vec::with_capacity(graph.nodes.len() * 2),
-            known: HashMap::new(),
+            known: FxHashMap::default(),
             outputs: vec![Vec::new(); graph.nodes.len()],
             extra_roots: HashMap::new(),
             images: Vec::new(),

@@ -8,6 +8,9 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use naga::Handle;
+use rustc_hash::FxHashMap;
+
 use super::rules::{FormRule, read_rules};
 use crate::diag::Diagnostic;
 use crate::interp::{Derivatives, FunctionOptions, Literals, Program};
@@ -44,6 +47,7 @@ struct ModulePart {
     valid: ValidModule,
     literals: Literals,
     operations: Operations,
+    functions: FxHashMap<String, Handle<naga::Function>>,
 }
 
 /// Declaration in a module.
@@ -135,10 +139,20 @@ impl NodeModule {
         self.part(function).map(|part| &part.valid)
     }
 
+    /// Module of naga with a function, and the function in it; `None` where naga refuses the
+    /// function's file, or where there is no such function.
+    pub fn function(&self, name: &str) -> Option<(&ValidModule, Handle<naga::Function>)> {
+        let part = self.part(name).ok()?;
+        Some((&part.valid, *part.functions.get(name)?))
+    }
+
     /// Number of operations of a function, counted in the IR; 0 where there is no such function.
     pub fn operations(&self, function: &str) -> u64 {
-        let count = |part: &ModulePart| part.operations.of_function(&part.valid.module, function);
-        self.part(function).map_or(0, count)
+        let count = |part: &ModulePart| {
+            let handle = part.functions.get(function)?;
+            Some(part.operations.of_handle(*handle))
+        };
+        self.part(function).ok().and_then(count).unwrap_or_default()
     }
 
     /// Greatest difference that forms of the balanced tier make of a function, and of all that it
@@ -245,7 +259,11 @@ impl NodeModule {
 impl ModulePart {
     fn new(valid: ValidModule, text: String) -> Self {
         let operations = Operations::of(&valid.module);
-        Self { valid, literals: Literals::of(text), operations }
+        let functions = valid.module.functions.iter();
+        let functions =
+            functions.filter_map(|(handle, function)| Some((function.name.clone()?, handle)));
+        let functions = functions.collect();
+        Self { valid, literals: Literals::of(text), operations, functions }
     }
 }
 

@@ -34,6 +34,11 @@ impl Operations {
         found.map_or(0, |(handle, _)| self.called(handle))
     }
 
+    /// Number of operations of a function of the module that was counted.
+    pub fn of_handle(&self, function: Handle<Function>) -> u64 {
+        self.called(function)
+    }
+
     /// Number of operations of a module's entry points.
     pub fn of_entry_points(&self, module: &Module) -> u64 {
         let counts = module.entry_points.iter().map(|entry| self.within(&entry.function));

@@ -55,7 +55,7 @@ use super::pretty::pretty;
 use super::reflect::BoundVariable;
 use super::{exposed, host};
 use crate::compile::{ParamId, TypedGraph};
-use crate::document::{ColorSpace, Look};
+use crate::document::{ColorSpace, Look, Tier};
 use crate::frame::ViewNumber;
 use crate::library::Library;
 
@@ -83,6 +83,8 @@ pub struct Description {
     pub format: u32,
     /// Meaning of the picture's numbers: as shown (sRGB-encoded), or linear light. Straight alpha.
     pub color_space: ColorSpace,
+    /// Tiers of the nodes.
+    pub tiers: TierCounts,
     /// Passes to run, in order.
     pub passes: Vec<ExportPass>,
     /// Modules that passes run.
@@ -101,6 +103,34 @@ pub struct Description {
     /// Time keys of the look, as its document has them; left out where it has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub time_keys: Vec<crate::document::TimeKeys>,
+}
+
+/// Number of the look's nodes in each tier, groups opened.
+#[derive(Clone, Debug, Serialize)]
+pub struct TierCounts {
+    /// Nodes in the exact tier.
+    pub exact: usize,
+    /// Nodes in the balanced tier.
+    pub balanced: usize,
+    /// Nodes in the fast tier.
+    pub fast: usize,
+    /// Greatest difference from the exact picture, in numbers of a color, that the tiers were
+    /// chosen for; left out where the document names the tier of every node.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_error: Option<f64>,
+}
+
+impl TierCounts {
+    fn of(look: &Look, typed: &TypedGraph) -> Self {
+        let count = |tier: Tier| typed.nodes.iter().filter(|node| node.tier == tier).count();
+        let is_chosen = typed.nodes.iter().any(|node| node.is_automatic);
+        Self {
+            exact: count(Tier::Exact),
+            balanced: count(Tier::Balanced),
+            fast: count(Tier::Fast),
+            max_error: is_chosen.then_some(look.max_error),
+        }
+    }
 }
 
 /// A module, independent of any language.
@@ -187,6 +217,7 @@ pub(super) fn describe(
         chiaro: env!("CARGO_PKG_VERSION"),
         format: FORMAT,
         color_space: look.color_space,
+        tiers: TierCounts::of(look, typed),
         passes: found.passes.clone(),
         modules,
         languages: languages(written),

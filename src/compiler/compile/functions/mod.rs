@@ -23,11 +23,11 @@ mod reshape;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use naga::Handle;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::intervals::{self, Ranges};
 use crate::document::Tier;
@@ -78,8 +78,8 @@ pub(super) struct MadeFunction {
 /// Names that a part of a module declares.
 #[derive(Debug)]
 struct DeclaredNames {
-    functions: HashMap<String, Handle<naga::Function>>,
-    constants: HashSet<String>,
+    functions: FxHashMap<String, Handle<naga::Function>>,
+    constants: FxHashSet<String>,
 }
 
 impl DeclaredNames {
@@ -104,10 +104,10 @@ type CallKey = (usize, Rc<str>, Tier, Vec<u64>);
 #[derive(Debug, Default)]
 pub(super) struct SpecializedFunctions {
     pub(super) made: Vec<MadeFunction>,
-    by_body: HashMap<(usize, Rc<str>, Body), usize>,
-    by_call: HashMap<CallKey, CallForm>,
+    by_body: FxHashMap<(usize, Rc<str>, Body), usize>,
+    by_call: FxHashMap<CallKey, CallForm>,
     /// By address of the part of a module.
-    declared: HashMap<usize, Rc<DeclaredNames>>,
+    declared: FxHashMap<usize, Rc<DeclaredNames>>,
     depth: usize,
 }
 

@@ -31,6 +31,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use naga::Handle;
+use rustc_hash::FxHashMap;
 
 use crate::interp;
 use crate::library::{NodeModule, Type};
@@ -46,8 +47,9 @@ pub(super) use trace::Trace;
 /// The ranges of a node's function for arguments within these ranges; `None` where the function
 /// cannot be followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
-    let valid = module.valid(function).ok()?;
-    run(valid, function, arguments, &|name| is_of_library(module, name))
+    let (valid, handle) = module.function(function)?;
+    let own = |name: &str| is_of_library(module, name);
+    Machine::new(valid, &own).call(handle, arguments).ok()
 }
 
 /// The record of a function's expressions for arguments within these ranges; `None` where the
@@ -75,7 +77,7 @@ pub(super) fn any_of(module: &naga::Module, ty: Handle<naga::Type>) -> Option<Ra
 
 /// Calls on ranges, each made once.
 #[derive(Default)]
-pub(super) struct Calls(HashMap<(usize, String, Vec<u64>), Option<Ranges>>);
+pub(super) struct Calls(FxHashMap<(usize, String, Vec<u64>), Option<Ranges>>);
 
 impl Calls {
     /// [`call`], or what it gave for the same ranges before.
@@ -102,18 +104,9 @@ pub(super) fn call_plain(
     function: &str,
     arguments: &[Ranges],
 ) -> Option<Ranges> {
-    run(valid, function, arguments, &|_| true)
-}
-
-fn run(
-    valid: &ValidModule,
-    function: &str,
-    arguments: &[Ranges],
-    own: &dyn Fn(&str) -> bool,
-) -> Option<Ranges> {
     let (handle, _) =
         valid.module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function))?;
-    Machine::new(valid, own).call(handle, arguments).ok()
+    Machine::new(valid, &|_| true).call(handle, arguments).ok()
 }
 
 /// The texts of the library's functions that [`library`] knows.

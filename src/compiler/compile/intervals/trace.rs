@@ -1,9 +1,10 @@
 //! Record of what the expressions of one function may be, over all ways through it: what proves
 //! that a branch is never taken and that a guard changes nothing.
 
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use naga::{Expression, Handle};
+use rustc_hash::FxHashMap;
 
 use super::machine::{Knowledge, Ranges, joined_ranges};
 
@@ -12,9 +13,9 @@ use super::machine::{Knowledge, Ranges, joined_ranges};
 #[derive(Clone, Debug, Default)]
 pub(in crate::compile) struct Trace {
     /// By index of the expression; `None` for what may be anything.
-    values: HashMap<usize, Option<Ranges>>,
+    values: FxHashMap<usize, Option<Ranges>>,
     /// By index of the call's result.
-    arguments: HashMap<usize, Vec<Option<Ranges>>>,
+    arguments: FxHashMap<usize, Vec<Option<Ranges>>>,
 }
 
 impl Trace {
@@ -49,7 +50,7 @@ impl Trace {
     }
 }
 
-fn add(entry: std::collections::hash_map::Entry<'_, usize, Option<Ranges>>, ranges: &Ranges) {
+fn add(entry: Entry<'_, usize, Option<Ranges>>, ranges: &Ranges) {
     let known = entry.or_insert_with(|| Some(ranges.clone()));
     let both = known.as_ref().and_then(|known| joined_ranges(known, ranges).ok());
     *known = both.map(Into::into);

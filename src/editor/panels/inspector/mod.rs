@@ -197,7 +197,7 @@ fn presets(
 
 fn tier_row(
     ui: &mut Ui,
-    InspectedNode { session, node, kind, .. }: &InspectedNode<'_>,
+    InspectedNode { session, id, node, kind, .. }: &InspectedNode<'_>,
     out: &mut Vec<Command>,
 ) {
     if kind.tiers.len() < 2 {
@@ -208,7 +208,14 @@ fn tier_row(
         "Tier",
         "Which implementation: exact, or faster with a measured error",
         |ui, label| {
-            let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
+            let runs = session.compilation().tier_of(&session.selection.path_of(id));
+            let name = |tier: Option<Tier>| match (tier, runs) {
+                (Some(tier), _) => tier_name(tier).to_owned(),
+                (None, Some(tier)) if node.tier.is_none() => {
+                    format!("As the look ({})", tier_name(tier).to_lowercase())
+                }
+                (None, _) => "As the look".to_owned(),
+            };
             let combo = egui::ComboBox::from_id_salt("tier")
                 .selected_text(name(node.tier))
                 .show_ui(ui, |ui| {
@@ -246,11 +253,7 @@ fn error_of(session: &Session, kind: &NodeKind, tier: Option<Tier>) -> String {
     match tier {
         None => match session.look().tier {
             Some(tier) => format!("As the look is: {}", tier_name(tier).to_lowercase()),
-            None => {
-                let bound = session.look().max_error;
-                let found = def.map_or(Tier::Exact, |def| def.cheapest_within(bound));
-                format!("The cheapest that nobody can see: {}", tier_name(found).to_lowercase())
-            }
+            None => "The cheapest whose difference nobody can see".to_owned(),
         },
         Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),
         Some(tier) => match def.and_then(|def| def.error_of(tier)) {

@@ -9,8 +9,9 @@ use super::shading::ShaderCache;
 use crate::catalog::Catalog;
 use crate::compile::CompiledShader;
 use crate::diag::Diagnostic;
-use crate::document::Look;
+use crate::document::{Look, Tier};
 use crate::files::SharedFiles;
+use crate::ids::NodePath;
 use crate::library::Library;
 use crate::state::compiling::Compiler;
 use crate::state::crashes::{CrashLog, Suspect};
@@ -88,6 +89,13 @@ impl Compilation {
     /// The shader whose values are uniforms.
     pub fn live(&self) -> Option<&Arc<CompiledShader>> {
         self.shaders.live.as_ref()
+    }
+
+    /// Tier that a node runs in, as the compiler last found it; `None` for a node that it has not
+    /// seen, and for groups.
+    pub fn tier_of(&self, path: &NodePath) -> Option<Tier> {
+        let nodes = &self.shaders.typed.as_ref()?.nodes;
+        nodes.iter().find(|node| node.path == *path).map(|node| node.tier)
     }
 
     /// Problems of the look, as last reported by the compiler.

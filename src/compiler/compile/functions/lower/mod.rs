@@ -19,10 +19,11 @@ mod known;
 mod operators;
 mod types;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use naga::{Block, Expression, Handle, LocalVariable, Statement, TypeInner};
+use rustc_hash::FxHashMap;
 
 use super::code::{Callee, Code, Line};
 use super::reshape::reshaped;
@@ -80,9 +81,9 @@ pub(super) fn lower(
         declared,
         taken,
         locals: Vec::new(),
-        variables: HashMap::new(),
-        conditions: HashMap::new(),
-        bound: HashMap::new(),
+        variables: FxHashMap::default(),
+        conditions: FxHashMap::default(),
+        bound: FxHashMap::default(),
         open: Vec::new(),
         is_changed: false,
     };
@@ -112,11 +113,11 @@ struct FunctionWriter<'a> {
     taken: HashSet<String>,
     locals: Vec<String>,
     /// The locals that are variables of the text.
-    variables: HashMap<Handle<LocalVariable>, usize>,
+    variables: FxHashMap<Handle<LocalVariable>, usize>,
     /// The conditions that naga's own variables for `&&` and `||` hold.
-    conditions: HashMap<Handle<LocalVariable>, Code>,
+    conditions: FxHashMap<Handle<LocalVariable>, Code>,
     /// Code that stands for expressions with a name, and for calls, where they are read.
-    bound: HashMap<Handle<Expression>, Code>,
+    bound: FxHashMap<Handle<Expression>, Code>,
     /// The blocks that are being written, the innermost last.
     open: Vec<Vec<Line>>,
     is_changed: bool,
