@@ -204,7 +204,9 @@ fn looks(renderer: &mut Renderer, size: [u32; 2], words: &[String]) {
         bandwidth * 1e-9
     );
     let beside = "instructions alone, ms (times as long) | bytes alone, ms (times as long)";
-    println!("\n| look | exact | by default | balanced | fast | exact: {beside} | fast: {beside} |");
+    println!(
+        "\n| look | exact | by default | balanced | fast | exact: {beside} | fast: {beside} |"
+    );
     println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
     let mut files: Vec<_> =
@@ -231,7 +233,11 @@ fn looks(renderer: &mut Renderer, size: [u32; 2], words: &[String]) {
             let ends = limits(&plans[tier], fragments, price, bandwidth);
             ends.map(|limit| format!("{limit:.3} ({:.1}x)", time / limit)).join(" | ")
         };
-        println!("| {name} | {exact} | {default} | {balanced} | {fast} | {} | {} |", far(0), far(2));
+        println!(
+            "| {name} | {exact} | {default} | {balanced} | {fast} | {} | {} |",
+            far(0),
+            far(2)
+        );
     }
 }
 
@@ -247,7 +253,8 @@ fn automatic(setup: &Setup) -> Setup {
 fn coverage(renderer: &mut Renderer, size: [u32; 2]) {
     let [width, height] = size;
     println!(
-        "\nPasses over the whole picture, and where objects may be seen, {width}x{height}, ms a frame"
+        "\nPasses over the whole picture, and where objects may be seen, {width}x{height}, ms a \
+         frame"
     );
     println!("\n| look, exact | everywhere | where objects may be seen | share |");
     println!("| --- | ---: | ---: | ---: |");

@@ -24,8 +24,7 @@ use chiaro_test_drawing::spirv::{function_instructions, module_instructions, opt
 use chiaro_test_drawing::wait::block_on;
 
 const ROUNDS: usize = 41;
-const TIERS: [Option<Tier>; 4] =
-    [None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)];
+const TIERS: [Option<Tier>; 4] = [None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)];
 
 /// Counted sizes of a module.
 struct ModuleCounts {

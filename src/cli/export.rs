@@ -7,8 +7,8 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
-use super::tier::{self, TierChoice};
 use super::target::{OutputPath, outputs};
+use super::tier::{self, TierChoice};
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
 use chiaro_scene::export;

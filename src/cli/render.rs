@@ -151,7 +151,9 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             .for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
     }
     if arguments.on == Some(ExecutorChoice::Reference) {
-        setup.looks.iter_mut().for_each(|worn| drop(worn.look.tier.get_or_insert(Tier::Exact)));
+        for worn in &mut setup.looks {
+            worn.look.tier = worn.look.tier.or(Some(Tier::Exact));
+        }
     }
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);

@@ -30,9 +30,8 @@ pub(super) fn parse(text: &str) -> Result<TierChoice, String> {
 /// where every tier is named.
 pub(super) fn told(look: &Look, library: &Library) -> Option<String> {
     let nodes = check(look, library, None).ok()?.value.nodes;
-    let count = |tier: Tier| {
-        nodes.iter().filter(|node| node.is_automatic && node.tier == tier).count()
-    };
+    let count =
+        |tier: Tier| nodes.iter().filter(|node| node.is_automatic && node.tier == tier).count();
     let (balanced, exact) = (count(Tier::Balanced), count(Tier::Exact));
     if balanced + exact == 0 {
         return None;

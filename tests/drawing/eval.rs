@@ -43,11 +43,7 @@ pub fn look(json: &serde_json::Value) -> SetupLook {
     assert!(problems.is_empty(), "{}\n{text}", problems.join("\n"));
     let mut look = loaded.value.expect("a look");
     look.tier.get_or_insert(Tier::Exact);
-    SetupLook {
-        look,
-        source: loaded.source.into(),
-        folder: PathBuf::new(),
-    }
+    SetupLook { look, source: loaded.source.into(), folder: PathBuf::new() }
 }
 
 /// Options that show one output, `node.port`, and keep exposed parameters live.

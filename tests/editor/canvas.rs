@@ -697,3 +697,32 @@ fn nodes_tell_what_they_give() {
     }
     assert!(hand.app().canvas().has_ball(hand.app().session(), "diffuse"));
 }
+
+/// A key shows what each node costs in the tier that it has, and in the others.
+#[test]
+fn costs_of_nodes_are_shown_on_request() {
+    let mut hand = open(&json!({"nodes": [
+        {"id": "facing", "kind": "facing", "at": [0, 0]},
+        {"id": "power", "kind": "power", "at": [260, 0], "values": {"exponent": 3.3}},
+        {"id": "output", "kind": "output", "at": [520, 0]}
+    ], "wires": [
+        {"from": "facing", "to": "power.base"}, {"from": "power", "to": "output.color"}
+    ]}));
+    assert_eq!(hand.app().canvas().cost_text("power"), None);
+    hand.hover(hand.app().canvas().node_rect("output").unwrap().center_bottom() + vec2(0.0, 60.0));
+    hand.key_with(Modifiers::SHIFT, Key::C);
+    hand.settle();
+    let text = hand.app().canvas().cost_text("power").expect("it runs at each fragment");
+    let (own, exact) = text.split_once(" operation").expect("it is counted first");
+    let (own, exact): (u64, u64) = (
+        own.parse().unwrap(),
+        exact.split_once("exact ").expect("exact costs more").1.parse().unwrap(),
+    );
+    assert!(own < exact && own > 0, "{text}");
+    // An edit is counted anew.
+    let (graph, id, port) = (GraphId::Look, "power".into(), "exponent".into());
+    let set = Edit::SetValue { graph, id, port, value: Value::Number(2.0), index: None };
+    hand.app_mut().session_mut().apply(set, None).unwrap();
+    hand.settle();
+    assert_ne!(hand.app().canvas().cost_text("power"), Some(text));
+}

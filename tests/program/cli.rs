@@ -952,6 +952,36 @@ fn explain_tells_passes_and_reasons_without_a_gpu() {
     shop.run(&["explain", "flat.json", "--mesh", "shape:cuboid"]).fails(1, &["unknown-shape"]);
 }
 
+/// Tiers that nobody named are told wherever a look leaves, and can be asked for.
+#[test]
+fn chosen_tiers_are_told_and_can_be_asked_for() {
+    let shop = shop();
+    let text = shop.run_without_gpu(&["explain", "flat.json"]).ok().out;
+    assert!(text.contains("differs by at most 3.9e-3, which nobody sees"), "{text}");
+    let told = shop.run(&["explain", "flat.json", "--json"]).ok().json();
+    let tiers = told["looks"][0]["tiers"].as_array().unwrap();
+    let tone = tiers.iter().find(|node| node["node"] == "layer/tone").expect("it runs");
+    assert_eq!((&tone["tier"], &tone["is_automatic"]), (&"balanced".into(), &true.into()));
+    let costs: Vec<u64> =
+        tone["operations"].as_array().unwrap().iter().map(|x| x.as_u64().unwrap()).collect();
+    assert!(costs[0] > costs[1], "exact costs more: {costs:?}");
+    let wgsl = |tier: &[&str]| {
+        shop.run(&[&["export", "flat.json", "--to", "wgsl"], tier].concat()).ok().out
+    };
+    let chosen = wgsl(&[]);
+    assert_eq!(chosen, wgsl(&["--tier", "automatic"]));
+    assert!(wgsl(&["--tier", "exact"]).lines().count() > chosen.lines().count());
+    shop.run(&["export", "flat.json", "--to", "wgsl", "--tier", "best"]).fails(2, &["automatic"]);
+    let said = shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "out"]).ok().err;
+    assert!(said.contains("the cheapest tiers that nobody can see"), "{said}");
+    let text = fs::read_to_string(shop.path("out/flat.json")).unwrap();
+    let described: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(described["tiers"]["balanced"].as_u64().unwrap() > 0, "{}", described["tiers"]);
+    assert_eq!(described["tiers"]["max_error"], 1.0 / 255.0);
+    let exact = ["export", "flat.json", "--to", "wgsl", "--tier", "exact", "-o", "exact"];
+    assert!(!shop.run(&exact).ok().err.contains("nobody"), "every tier is named");
+}
+
 #[test]
 fn nodes_lists_and_documents_the_library() {
     let shop = Shop::new();

@@ -102,7 +102,8 @@ fn tell_tiers(look: &LookReport) -> String {
     if look.tiers.iter().any(|node| node.is_automatic) {
         let _ = writeln!(
             text,
-            "    where none is named, the cheapest that differs by at most {:.1e}, which nobody sees",
+            "    where none is named, the cheapest that differs by at most {:.1e}, which nobody \
+             sees",
             look.max_error
         );
     }

@@ -1,10 +1,10 @@
 //! Choice of the tiers of nodes that name none: the cheapest whose difference nobody can see.
 //!
 //! Every node starts in the tier that its own stated error allows. A small error may still grow on
-//! its way to the picture, as in noise that multiplies a sine by thousands. So the graph is run, node
-//! by node in f64, for a few points of a surface, once as it is and a few times with an error as
-//! large as stated at each node; where the color at the end differs by more than the look allows,
-//! the nodes whose errors grow are found by halving, and become exact.
+//! its way to the picture, as in noise that multiplies a sine by thousands. So the graph is run,
+//! node by node in f64, for a few points of a surface, once as it is and a few times with an error
+//! as large as stated at each node; where the color at the end differs by more than the look
+//! allows, the nodes whose errors grow are found by halving, and become exact.
 //!
 //! The points and the errors are the same in every run, and no scene is asked, so that the window,
 //! a render and an export make the same choice. `chiaro tune` measures on a mesh instead.
@@ -262,9 +262,7 @@ impl<'g> Trial<'g> {
 
     fn input(&mut self, input: &TypedInput, results: &[Rows]) -> Rows {
         let rows = match &input.source {
-            TypedSource::Wire { node, output } => {
-                output_rows(self.graph, results, *node, *output)
-            }
+            TypedSource::Wire { node, output } => output_rows(self.graph, results, *node, *output),
             TypedSource::Param(..) if input.ty.is_texture() => return Rows::new(),
             TypedSource::Param(_, value) => {
                 let value = typed_value(value, &input.ty).unwrap_or(interp::Value::Float(0.0));
@@ -341,7 +339,8 @@ fn add_errors(rows: &mut Rows, error: f64, random: &mut Random) {
 fn contrasts(arguments: &[[f64; LANES]], count: usize) -> Rows {
     const STEEPNESS: f64 = 100.0;
     let number = |lane: usize, part: usize| {
-        let phases = arguments.iter().enumerate().map(|(i, row)| row[lane] * (1.0 + 0.37 * i as f64));
+        let phases =
+            arguments.iter().enumerate().map(|(i, row)| row[lane] * (1.0 + 0.37 * i as f64));
         (STEEPNESS * phases.sum::<f64>() + part as f64).sin().mul_add(0.5, 0.5)
     };
     (0..count).map(|part| std::array::from_fn(|lane| number(lane, part))).collect()

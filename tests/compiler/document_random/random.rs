@@ -417,12 +417,7 @@ impl Random {
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
         look.about = self.text();
         look.tuned = self.text();
-        look.tier = self.choose(&[
-            None,
-            Some(Tier::Exact),
-            Some(Tier::Balanced),
-            Some(Tier::Fast),
-        ]);
+        look.tier = self.choose(&[None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)]);
         for _ in 0..self.below(4) {
             look.lights.insert(self.slug().into(), self.light());
         }

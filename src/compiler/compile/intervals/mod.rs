@@ -104,9 +104,18 @@ pub(super) fn call_plain(
     function: &str,
     arguments: &[Ranges],
 ) -> Option<Ranges> {
+    run(valid, function, arguments, &|_| true)
+}
+
+fn run(
+    valid: &ValidModule,
+    function: &str,
+    arguments: &[Ranges],
+    own: &dyn Fn(&str) -> bool,
+) -> Option<Ranges> {
     let (handle, _) =
         valid.module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function))?;
-    Machine::new(valid, &|_| true).call(handle, arguments).ok()
+    Machine::new(valid, own).call(handle, arguments).ok()
 }
 
 /// The texts of the library's functions that [`library`] knows.

@@ -170,11 +170,7 @@ impl Drop for Cost {
 /// where the row is not a choice.
 fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
     let tier = row.tier?;
-    let set = |id: &NodeId, tier| Edit::SetTier {
-        graph: GraphId::Look,
-        id: id.clone(),
-        tier,
-    };
+    let set = |id: &NodeId, tier| Edit::SetTier { graph: GraphId::Look, id: id.clone(), tier };
     match &row.subject {
         MeasurementSubject::Whole => {
             let mut edits: Vec<Edit> = Vec::new();

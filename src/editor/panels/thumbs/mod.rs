@@ -310,7 +310,14 @@ pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     (shot, side.round() as u32).hash(&mut hasher);
     format!(
         "{:?}",
-        (look.color_space, look.tier, look.max_error, &look.lights, &look.definitions, &look.graph.wires)
+        (
+            look.color_space,
+            look.tier,
+            look.max_error,
+            &look.lights,
+            &look.definitions,
+            &look.graph.wires
+        )
     )
     .hash(&mut hasher);
     for (id, node) in &look.graph.nodes {
