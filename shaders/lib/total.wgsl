@@ -206,7 +206,8 @@ fn sine_of(x: f32) -> f32 {
 /// [`sine_of`] where two parts of pi are enough.
 fn sine_near(x: f32) -> f32 {
     let turns = round(x * 0.318309886183790672);
-    return sine_turned((x - turns * 3.140625) - turns * 0.000967653589793238463, turns);
+    let r = fma(turns, -0.000967653589793238463, fma(turns, -3.140625, x));
+    return sine_turned(r, turns);
 }
 
 /// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
@@ -226,16 +227,18 @@ fn cosine_of(x: f32) -> f32 {
 fn cosine_near(x: f32) -> f32 {
     let turns = round(x * 0.318309886183790672 - 0.5);
     let middle = turns + 0.5;
-    return sine_turned((middle * 3.140625 - x) + middle * 0.000967653589793238463, turns);
+    let r = fma(middle, 0.000967653589793238463, fma(middle, 3.140625, -x));
+    return sine_turned(r, turns);
 }
 
 /// sin(r + pi turns) for |r| <= pi/2 and whole turns: a minimax polynomial (absolute error below
 /// 5e-9 beside rounding).
 fn sine_turned(r: f32, turns: f32) -> f32 {
     let y = r * r;
-    let s = r * (1.0 + y * (-0.16666657096459908 + y * (0.008333017290471173
-        + y * (-0.00019806615122643014 + y * 0.0000026000545937497925))));
-    return clamp(select(s, -s, fract(turns * 0.5) != 0.0), -1.0, 1.0);
+    let high = fma(y, 0.0000026000545937497925, -0.00019806615122643014);
+    let s = fma(r * y, fma(y, fma(y, high, 0.008333017290471173), -0.16666657096459908), r);
+    // Odd turns, of which half is left, turn the sign.
+    return clamp(s * fma(fract(turns * 0.5), -4.0, 1.0), -1.0, 1.0);
 }
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the

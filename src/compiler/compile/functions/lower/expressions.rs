@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use naga::{Expression, Handle, TypeInner};
+use naga::{Expression, Handle, MathFunction, TypeInner};
 
 use super::{FunctionWriter, NotWritten, WriteResult};
 use crate::compile::emit::float_literal;
@@ -35,6 +35,17 @@ impl FunctionWriter<'_> {
                 | Expression::FunctionArgument(_)
         );
         if !is_written && let Some(known) = self.known(handle) {
+            // A guard that lets a parameter through leaves the function to other arguments, too.
+            let is_guard = matches!(
+                expression,
+                Expression::Math {
+                    fun: MathFunction::Clamp | MathFunction::Min | MathFunction::Max,
+                    ..
+                }
+            );
+            if is_guard && let Ok(parameter @ Code::Parameter(_)) = self.of_parts(handle) {
+                return Ok(parameter);
+            }
             // A vector of constants is the same in other words.
             self.is_changed |= !matches!(
                 expression,
