@@ -9,9 +9,9 @@ use crate::library::Library;
 /// Choice of `--tier`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TierChoice {
-    /// For each node the cheapest tier whose difference nobody can see.
+    /// Cheapest tier of each node whose difference nobody can see.
     Automatic,
-    /// This tier for every node.
+    /// One tier for every node.
     Every(Tier),
 }
 
