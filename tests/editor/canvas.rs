@@ -713,7 +713,7 @@ fn costs_of_nodes_are_shown_on_request() {
     hand.key_with(Modifiers::SHIFT, Key::C);
     hand.settle();
     let text = hand.app().canvas().cost_text("power").expect("it runs at each fragment");
-    let (own, exact) = text.split_once(" operation").expect("it is counted first");
+    let (own, exact) = text.split_once(" ops").expect("it is counted first");
     let (own, exact): (u64, u64) = (
         own.parse().unwrap(),
         exact.split_once("exact ").expect("exact costs more").1.parse().unwrap(),

@@ -10,7 +10,6 @@ use super::Canvas;
 use super::draw::SOCKETS;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
-use crate::figures;
 use crate::frame::{TierCosts, tier_costs};
 use crate::ids::NodeId;
 use crate::library::Library;
@@ -20,7 +19,7 @@ use crate::state::worker::Worker;
 use crate::widgets::theme;
 
 /// Size of the text, in points of the graph.
-const TEXT: f32 = 11.0;
+const TEXT: f32 = 13.0;
 
 /// Version of a look, as far as its picture goes.
 type Version = (DocumentNumber, MeaningRevision);
@@ -103,7 +102,7 @@ impl Costs {
     }
 
     /// Costs of a node of the graph that is open through these groups, all that a group holds
-    /// together; `None` for a node that does not run at fragments.
+    /// together; `None` for a node that does nothing at fragments.
     fn of(&self, groups: &[NodeId], node: &NodeId) -> Option<String> {
         let mut path: Vec<&str> = groups.iter().map(AsRef::as_ref).collect();
         path.push(node.as_ref());
@@ -115,7 +114,10 @@ impl Costs {
         let parts: Vec<&TierCosts> = self.known.iter().filter(is_of).collect();
         let tier = parts.iter().map(|costs| costs.tier).min()?;
         let own: u64 = parts.iter().map(|costs| costs.of(costs.tier)).sum();
-        let mut text = figures::count(own, "operation");
+        if parts.iter().all(|costs| costs.operations == [0; 3]) {
+            return None;
+        }
+        let mut text = format!("{own} ops");
         for (other, word) in
             [(Tier::Exact, "exact"), (Tier::Balanced, "balanced"), (Tier::Fast, "fast")]
         {
@@ -148,7 +150,7 @@ impl Canvas {
         }
         let visible = self.view.visible();
         let painter = ui.painter_at(self.view.screen);
-        let (font, color) = (FontId::proportional(TEXT * self.view.zoom), theme::of(ui).dim);
+        let (font, color) = (FontId::proportional(TEXT * self.view.zoom), theme::of(ui).text);
         for row in self.table.nodes.iter().filter(|row| row.rect.intersects(visible)) {
             if let Some(text) = self.costs.of(session.selection.open_groups(), &row.id) {
                 let corner = self.view.to_screen(row.rect.min);
