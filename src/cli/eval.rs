@@ -71,7 +71,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     at: PathBuf,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
-    /// that nobody can see
+    /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]
     tier: Option<TierChoice>,
     /// The output to print in place of the look's own: NODE.PORT, with `/` between groups and nodes

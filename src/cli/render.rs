@@ -70,7 +70,7 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
-    /// that nobody can see
+    /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]
     tier: Option<TierChoice>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
@@ -150,9 +150,11 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             .iter_mut()
             .for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
     }
-    if arguments.on == Some(ExecutorChoice::Reference) {
+    if arguments.on == Some(ExecutorChoice::Reference) && arguments.tier.is_none() {
+        // The truth is exact, whatever the looks say.
+        let exact = TierChoice::Every(Tier::Exact);
         for worn in &mut setup.looks {
-            worn.look.tier = worn.look.tier.or(Some(Tier::Exact));
+            tier::set_every_tier(&mut worn.look, &mut library, exact);
         }
     }
     let size =

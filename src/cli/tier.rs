@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::compile::check;
-use crate::document::{Look, Tier};
+use crate::compile::{TierReason, check};
+use crate::document::{Look, MAX_ERROR, Tier};
 use crate::library::Library;
+use chiaro_laboratory::accuracy::report::tier_word;
 
 /// Choice of `--tier`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,18 +31,32 @@ pub(super) fn parse(text: &str) -> Result<TierChoice, String> {
 /// where every tier is named.
 pub(super) fn told(look: &Look, library: &Library) -> Option<String> {
     let nodes = check(look, library, None).ok()?.value.nodes;
-    let count =
-        |tier: Tier| nodes.iter().filter(|node| node.is_automatic && node.tier == tier).count();
-    let (balanced, exact) = (count(Tier::Balanced), count(Tier::Exact));
-    if balanced + exact == 0 {
+    if nodes.iter().all(|node| node.tier_reason == TierReason::Named) {
         return None;
     }
+    let count = |tier: Tier| nodes.iter().filter(|node| node.tier == tier).count();
+    let counts = [Tier::Balanced, Tier::Exact, Tier::Fast]
+        .into_iter()
+        .filter(|tier| count(*tier) > 0)
+        .map(|tier| format!("{} {}", count(tier), tier_word(Some(tier))));
+    let counts: Vec<String> = counts.collect();
     let name = if look.name.is_empty() { "the look" } else { &look.name };
-    Some(format!(
-        "{name}: the cheapest tiers that nobody can see (at most {:.1e} off): {balanced} nodes \
-         balanced, {exact} exact; --tier exact is the truth",
-        look.max_error
-    ))
+    let bound = bound_text(look.max_error);
+    Some(format!("{name}: {bound}; nodes: {}; --tier names one", counts.join(", ")))
+}
+
+/// Sentence on how the tiers were chosen of nodes for which none is named.
+pub(super) fn bound_text(max_error: f64) -> String {
+    if max_error <= 0.0 {
+        return "automatic tiers that differ by nothing (max_error is 0): exact".to_owned();
+    }
+    let unseen = if max_error <= MAX_ERROR { ", which nobody can see" } else { "" };
+    let size = if (max_error - MAX_ERROR).abs() < 1e-9 {
+        "1/255, a step of a screen".to_owned()
+    } else {
+        format!("{max_error}")
+    };
+    format!("automatic tiers, estimated to differ from exact by at most {size}{unseen}")
 }
 
 /// Sets the tier of every node, also of nodes that have a tier of their own, and of those inside

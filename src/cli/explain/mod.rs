@@ -11,6 +11,7 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::scene::check_values;
+use super::tier::{self, TierChoice};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 #[cfg(feature = "gpu")]
@@ -46,6 +47,10 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// The implementation of every node: exact, balanced, fast, or automatic, the cheapest that
+    /// nobody can see; the document's without it
+    #[arg(long, value_parser = tier::parse)]
+    tier: Option<TierChoice>,
     /// Explain the shader that is used while the look is edited, in which nothing is folded
     #[arg(long)]
     live: bool,
@@ -63,13 +68,18 @@ pub(super) struct Arguments {
 
 pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let library = library_for(&arguments.document, arguments.nodes.as_deref());
+    let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (setup, mut warnings) =
+    let (mut setup, mut warnings) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     output.diagnostics(&warnings);
+    if let Some(tier) = arguments.tier {
+        for worn in &mut setup.looks {
+            tier::set_every_tier(&mut worn.look, &mut library, tier);
+        }
+    }
     let live = if arguments.live { Live::All } else { Live::Keyed };
     // Options of `chiaro render` without arguments.
     let options = PlanOptions { size: [800, 800], samples: 4, time: arguments.time };

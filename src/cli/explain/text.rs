@@ -2,9 +2,12 @@
 
 use std::fmt::Write as _;
 
+use super::super::tier::bound_text;
 use super::report::{DecidingDriver, ExplainReport, LookReport, names};
-use crate::document::Tier;
-use crate::frame::{Effect, EffectCost, EffectKind, EffectState, TierCosts};
+use crate::compile::TierReason;
+use crate::frame::{
+    Effect, EffectCost, EffectKind, EffectState, TierCosts, TierOperations,
+};
 use crate::library::Rate;
 use chiaro_laboratory::accuracy::report::tier_word;
 
@@ -96,49 +99,55 @@ fn tell_look(look: &LookReport, report: &ExplainReport) -> String {
     text + &tell_uniforms(look) + &tell_keys(look) + &tell_nodes(look, report) + &tell_tiers(look)
 }
 
-/// Tiers of the nodes, with what the next better one would cost.
+/// Tiers of the nodes, with what the others would cost: those that differ, the dearest first.
 fn tell_tiers(look: &LookReport) -> String {
     let mut text = "\n  Tiers, with operations at each fragment\n".to_owned();
-    if look.tiers.iter().any(|node| node.is_automatic) {
+    if look.tiers.iter().any(|node| node.reason != TierReason::Named) {
+        let _ = writeln!(text, "    {}", bound_text(look.max_error));
+    }
+    let (same, mut others): (Vec<&TierCosts>, Vec<&TierCosts>) =
+        look.tiers.iter().partition(|node| node.operations.are_same());
+    others.sort_by_key(|node| std::cmp::Reverse(node.operations.of(node.tier)));
+    let width = others.iter().map(|node| node.node.len()).max().unwrap_or_default().clamp(4, 40);
+    if !others.is_empty() {
         let _ = writeln!(
             text,
-            "    where none is named, the cheapest that differs by at most {:.1e}, which nobody \
-             sees",
-            look.max_error
+            "    {:width$}  {:8}  {:>5}  {:>5}  {:>8}  {:>5}",
+            "node", "tier", "now", "exact", "balanced", "fast"
         );
     }
-    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-        let nodes: Vec<&TierCosts> = look.tiers.iter().filter(|node| node.tier == tier).collect();
-        if nodes.is_empty() {
-            continue;
-        }
-        let tell = |node: &&TierCosts| {
-            let better = node.better();
-            let cost = |tier: Tier| format!(", {} {}", tier_word(Some(tier)), node.of(tier));
-            let named = if node.is_automatic { "" } else { ", named" };
-            let better = better.map(cost).unwrap_or_default();
-            format!("{} ({}{better}{named})", node.node, node.of(tier))
+    for node in others {
+        let TierOperations { exact, balanced, fast } = node.operations;
+        let why = match (node.reason, node.balanced_error) {
+            (TierReason::Named, _) => "  named".to_owned(),
+            (TierReason::Stated, Some(error)) => {
+                format!("  balanced is said to differ by {error}")
+            }
+            (TierReason::Grows, _) => {
+                "  what balanced differs by would grow on its way to the picture".to_owned()
+            }
+            _ => String::new(),
         };
-        let told: Vec<String> = nodes.iter().map(tell).collect();
-        let sum: u64 = nodes.iter().map(|node| node.of(tier)).sum();
         let _ = writeln!(
             text,
-            "    {} {} of {} operations: {}",
-            nodes.len(),
-            tier_word(Some(tier)),
-            sum,
-            told.join(", ")
+            "    {:width$}  {:8}  {:>5}  {exact:>5}  {balanced:>8}  {fast:>5}{why}",
+            node.node,
+            tier_word(Some(node.tier)),
+            node.operations.of(node.tier)
         );
     }
-    let saved: i64 = look
-        .tiers
-        .iter()
-        .map(|node| node.of(Tier::Exact).cast_signed() - node.of(node.tier).cast_signed())
-        .sum();
-    if saved > 0 {
-        let _ = writeln!(text, "    exact everywhere would take {saved} operations more");
+    if !same.is_empty() {
+        let _ = writeln!(text, "    {} cost the same in every tier", nodes_text(same.len()));
     }
+    let sum = |of: &dyn Fn(&TierCosts) -> u64| look.tiers.iter().map(of).sum::<u64>();
+    let now = sum(&|node| node.operations.of(node.tier));
+    let exact = sum(&|node| node.operations.exact);
+    let _ = writeln!(text, "    {now} operations in all; exact everywhere is {exact}");
     text
+}
+
+fn nodes_text(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "node" } else { "nodes" })
 }
 
 fn tell_uniforms(look: &LookReport) -> String {

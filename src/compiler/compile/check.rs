@@ -9,7 +9,9 @@ use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::drivers::{self, TypedDriver};
-use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
+use super::flatten::{
+    FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, TierReason, flatten,
+};
 use super::tiers;
 use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, WithWarnings, bounded, has_errors};
@@ -61,8 +63,8 @@ pub struct TypedNode {
     pub def: Arc<NodeDef>,
     /// The tier that the document asks for.
     pub tier: Tier,
-    /// True if the document names no tier for the node, so that it may have another.
-    pub is_automatic: bool,
+    /// Origin of the tier.
+    pub tier_reason: TierReason,
     /// Index of the chosen function among those of the definition.
     pub variant: usize,
     /// In the order of the definition's inputs; `None` for inputs that the function does not take.
@@ -255,7 +257,7 @@ fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
 fn stand_in(flat: &FlatNode) -> TypedNode {
     TypedNode {
         tier: flat.tier,
-        is_automatic: flat.is_automatic,
+        tier_reason: flat.reason,
         path: flat.path.clone(),
         name: flat.name.clone(),
         def: flat.def.clone(),
@@ -584,7 +586,7 @@ impl<'a> Typer<'a> {
             name: flat.name.clone(),
             def: flat.def.clone(),
             tier: flat.tier,
-            is_automatic: flat.is_automatic,
+            tier_reason: flat.reason,
             variant,
             inputs,
             choices,

@@ -71,6 +71,21 @@ pub(super) enum FlatInput {
     Broken,
 }
 
+/// Origin of a node's tier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum TierReason {
+    /// The document names it.
+    Named,
+    /// It is the cheapest, and nobody can see the difference.
+    Unseen,
+    /// The difference that is stated of a cheaper one is greater than the look allows.
+    Stated,
+    /// The difference of a cheaper one would grow beyond what the look allows on its way to the
+    /// picture.
+    Grows,
+}
+
 /// A library node with its place in the document.
 #[derive(Clone, Debug)]
 pub(super) struct FlatNode {
@@ -82,8 +97,8 @@ pub(super) struct FlatNode {
     pub def: Arc<NodeDef>,
     /// Implementation that the document asks for.
     pub tier: Tier,
-    /// True if neither the node nor what is around it names a tier.
-    pub is_automatic: bool,
+    /// Origin of the tier.
+    pub reason: TierReason,
     /// In the order of the definition's inputs.
     pub inputs: Vec<FlatInput>,
     /// The region around the node: the outermost group, else the frame; functions are split there.
@@ -466,13 +481,16 @@ impl<'a> Flattener<'a> {
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
         let asked = node.tier.or(self.scopes[scope].tier);
-        let is_automatic = asked.is_none();
-        let tier = asked.unwrap_or_else(|| match self.exact.contains(&path) {
-            true => Tier::Exact,
-            false => def.cheapest_within(self.look.max_error),
-        });
+        let (tier, reason) = match asked {
+            Some(tier) => (tier, TierReason::Named),
+            None if self.exact.contains(&path) => (Tier::Exact, TierReason::Grows),
+            None => match def.cheapest_within(self.look.max_error) {
+                Tier::Exact => (Tier::Exact, TierReason::Stated),
+                cheaper => (cheaper, TierReason::Unseen),
+            },
+        };
         let inputs = Vec::new();
-        self.flat.nodes.push(FlatNode { path, name, def, tier, is_automatic, inputs, region });
+        self.flat.nodes.push(FlatNode { path, name, def, tier, reason, inputs, region });
         self.origins.push((scope, id, node));
         index
     }

@@ -34,7 +34,7 @@ pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap, VertexAttribute};
-pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
+pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, TierReason, can_be_muted};
 pub use host::{HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{StructLayout, ValueLayout};

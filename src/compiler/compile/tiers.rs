@@ -15,10 +15,11 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
+use super::flatten::TierReason;
 use super::host::conversion_program;
 use super::intervals;
 use super::value::typed_value;
-use crate::document::Tier;
+use crate::document::{MAX_ERROR, Tier};
 use crate::ids::NodePath;
 use crate::interp::{self, Bindings, BoundProgram, LANES, Lanes, Precision, Program};
 use crate::library::{
@@ -26,15 +27,15 @@ use crate::library::{
     Type,
 };
 
-/// Number of points that a look is run at.
+/// Number of points that a look is run at, in each round.
 const POINTS: usize = 16;
 
 /// Number of lanes at each point: one without errors, the others with errors of their own.
 const TRIALS: usize = LANES / POINTS;
 
-/// Points at which more may be seen than allowed: an edge may lie there, which moves by less than a
-/// pixel.
-const EXCEPTED: usize = 1;
+/// Rounds of a look that allows more than a step of a screen: errors as large move edges, which few
+/// points meet.
+const ROUNDS: u64 = 8;
 
 /// Most runs of a look in the search for nodes whose errors grow; beyond these all are exact.
 const MAX_RUNS: usize = 40;
@@ -63,7 +64,7 @@ pub(super) fn seen(graph: &TypedGraph, max_error: f64) -> HashSet<NodePath> {
 /// Greatest difference from the exact tier that is stated of a node in the tier that it has, or of
 /// a function that it calls; 0 for a node that names its tier itself.
 fn stated_error(node: &TypedNode) -> f64 {
-    if !node.is_automatic {
+    if node.tier_reason == TierReason::Named {
         return 0.0;
     }
     let own = node.def.error_of(node.tier).map_or(0.0, |error| error.bound);
@@ -73,8 +74,23 @@ fn stated_error(node: &TypedNode) -> f64 {
     }
 }
 
+/// True if two numbers are no farther apart than `most`, or neither is a number.
+fn is_near(a: f64, b: f64, most: f64) -> bool {
+    (a - b).abs() <= most || (a.is_nan() && b.is_nan())
+}
+
+/// Nodes that a node reads, once for each wire.
+fn sources(node: &TypedNode) -> impl Iterator<Item = usize> + '_ {
+    node.inputs.iter().flatten().filter_map(|input| match &input.source {
+        TypedSource::Wire { node, .. } => Some(*node),
+        _ => None,
+    })
+}
+
 /// Programs of a graph's functions and conversions, each once.
 struct Steps {
+    /// Number of wires that read each node, and one for the root's.
+    readers: Vec<usize>,
     programs: Vec<Arc<Program>>,
     by_function: HashMap<(usize, Arc<str>), usize>,
     by_conversion: HashMap<(Type, Type), usize>,
@@ -82,7 +98,13 @@ struct Steps {
 
 impl Steps {
     fn of(graph: &TypedGraph) -> Self {
+        let mut readers = vec![0; graph.nodes.len()];
+        readers[graph.root.0] = 1;
+        for source in graph.order.iter().flat_map(|&index| sources(&graph.nodes[index])) {
+            readers[source] += 1;
+        }
         let mut steps = Self {
+            readers,
             programs: Vec::new(),
             by_function: HashMap::new(),
             by_conversion: HashMap::new(),
@@ -140,9 +162,10 @@ struct Trial<'g> {
     graph: &'g TypedGraph,
     steps: &'g Steps,
     lanes: Vec<Option<Lanes<'g>>>,
-    contexts: HashMap<Context, Rows>,
+    contexts: HashMap<(Context, u64), Rows>,
     max_error: f64,
     runs: usize,
+    round: u64,
 }
 
 impl<'g> Trial<'g> {
@@ -153,7 +176,7 @@ impl<'g> Trial<'g> {
         max_error: f64,
     ) -> Self {
         let lanes = bound.iter().map(|bound| bound.as_ref()?.lanes().ok()).collect();
-        Self { graph, steps, lanes, contexts: HashMap::new(), max_error, runs: 0 }
+        Self { graph, steps, lanes, contexts: HashMap::new(), max_error, runs: 0, round: 0 }
     }
 
     /// Nodes among the candidates without whose errors nothing is seen.
@@ -183,32 +206,38 @@ impl<'g> Trial<'g> {
         seen
     }
 
-    /// True if errors at these nodes change the picture by no more than `most`, but at a few
-    /// points.
+    /// True if errors at these nodes change the picture by no more than `most` at any point.
     fn is_unseen(&mut self, erring: &[(usize, f64)], most: f64) -> bool {
         self.runs += 1;
-        let root = self.run(&erring.iter().copied().collect());
-        let is_seen = |point: &usize| {
-            root.iter().any(|row| {
+        let erring: HashMap<usize, f64> = erring.iter().copied().collect();
+        let rounds = if self.max_error > MAX_ERROR { ROUNDS } else { 1 };
+        (0..rounds).all(|round| {
+            self.round = round;
+            self.run(&erring).iter().all(|row| {
                 let shown = |lane: usize| row[lane].clamp(0.0, 1.0);
-                let first = TRIALS * point;
-                (1..TRIALS).any(|trial| (shown(first) - shown(first + trial)).abs() > most)
+                (0..LANES).all(|lane| is_near(shown(lane), shown(lane - lane % TRIALS), most))
             })
-        };
-        (0..POINTS).filter(is_seen).count() <= EXCEPTED
+        })
     }
 
     /// Numbers of the root in all lanes.
     fn run(&mut self, erring: &HashMap<usize, f64>) -> Rows {
         let graph = self.graph;
         let mut results: Vec<Rows> = vec![Rows::new(); graph.nodes.len()];
+        let mut left = self.steps.readers.clone();
         for &index in &graph.order {
             let node = &graph.nodes[index];
             let mut rows = self.node(node, &results);
             if let Some(&error) = erring.get(&index) {
-                add_errors(&mut rows, error, &mut Random(index as u64));
+                add_errors(&mut rows, error, &mut Random(index as u64 ^ self.round << 32));
             }
             results[index] = rows;
+            for source in sources(node) {
+                left[source] -= 1;
+                if left[source] == 0 {
+                    results[source] = Rows::new();
+                }
+            }
         }
         let (node, output) = graph.root;
         output_rows(graph, &results, node, output)
@@ -269,8 +298,9 @@ impl<'g> Trial<'g> {
                 return rows_of(&value);
             }
             TypedSource::Context(context) => {
-                let context = *context;
-                self.contexts.entry(context).or_insert_with(|| context_rows(context)).clone()
+                let (context, round) = (*context, self.round);
+                let rows = self.contexts.entry((context, round));
+                rows.or_insert_with(|| context_rows(context, round)).clone()
             }
         };
         match (&input.conversion, source_type(self.graph, &input.source)) {
@@ -367,19 +397,20 @@ fn rows_of(value: &interp::Value) -> Rows {
     rows
 }
 
-/// A context at each point; lights and what the host knows, within their bounds.
-fn context_rows(context: Context) -> Rows {
+/// A context at each point of a round; lights and what the host knows, within their bounds.
+fn context_rows(context: Context, round: u64) -> Rows {
     let row = context.row();
-    let values: Vec<Rows> = (0..POINTS)
+    let values: Vec<Rows> = (0..POINTS as u64)
         .map(|point| {
-            let mut random = Random(1 + point as u64);
+            let point = point + round * POINTS as u64;
+            let mut random = Random(1 + point);
             let known = rows_of(&row.sample.value(context, &surface_point(&mut random), None));
             let count = intervals::scalars_in(&Type::from_wgsl(context.wgsl_type()));
             let count = count.unwrap_or(known.len());
             if known.len() == count && !matches!(row.sample, ContextSample::None(_)) {
                 return known;
             }
-            let mut random = Random(context.word().len() as u64 * 1000 + point as u64);
+            let mut random = Random(context.word().len() as u64 * 1000 + point);
             let direction = random.direction();
             let number = |part: usize, random: &mut Random| match row.bounds {
                 ContextBounds::Unit if count == 3 => direction[part],

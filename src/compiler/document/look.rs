@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::described::described;
+use super::described::{AUTOMATIC_OR_TIER, AutomaticTier, described};
 use super::light::{Light, LightField};
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};
@@ -41,10 +41,10 @@ described! {
         color_space: ColorSpace = ColorSpace::Display, FieldKind::Word(ColorSpace::WORDS),
             by DocumentSpace;
         /// Implementation of nodes that do not name their own.
-        tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
-            words "for each node the cheapest whose difference nobody can see";
-        /// Greatest difference from the exact picture, in numbers of a color, that is counted as
-        /// unseen where no tier is named.
+        tier: Option<Tier> = None, FieldKind::Word(AUTOMATIC_OR_TIER), by AutomaticTier;
+        /// Greatest difference from the exact picture, in numbers of a color, that counts as unseen
+        /// where the tier is automatic: 1/255 is a step of a screen. It is estimated at points of a
+        /// surface; `chiaro tune` measures pictures.
         max_error: f64 = MAX_ERROR, FieldKind::Number(NumberBounds::new(0.0, 1.0));
         /// Figures that `chiaro tune` measured when it chose tiers.
         tuned: String = String::new(), FieldKind::Text(LINE);

@@ -45,7 +45,7 @@ words!(ColorSpace {
 words!(Tier {
     Exact "exact" "the truth, as near as 32-bit numbers come",
     Balanced "balanced" "errors below what is seen, where that is faster",
-    Fast "fast" "the least time",
+    Fast "fast" "the least time; edges and curvature are seen to differ",
 });
 words!(LightKind {
     Directional "directional" "the same direction everywhere",

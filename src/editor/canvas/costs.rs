@@ -10,7 +10,7 @@ use super::Canvas;
 use super::draw::SOCKETS;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
-use crate::frame::{TierCosts, tier_costs};
+use crate::frame::{TierCosts, TierOperations, tier_costs};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::revision::{DocumentNumber, MeaningRevision};
@@ -113,15 +113,15 @@ impl Costs {
         };
         let parts: Vec<&TierCosts> = self.known.iter().filter(is_of).collect();
         let tier = parts.iter().map(|costs| costs.tier).min()?;
-        let own: u64 = parts.iter().map(|costs| costs.of(costs.tier)).sum();
-        if parts.iter().all(|costs| costs.operations == [0; 3]) {
+        let own: u64 = parts.iter().map(|costs| costs.operations.of(costs.tier)).sum();
+        if parts.iter().all(|costs| costs.operations == TierOperations::default()) {
             return None;
         }
         let mut text = format!("{own} ops");
         for (other, word) in
             [(Tier::Exact, "exact"), (Tier::Balanced, "balanced"), (Tier::Fast, "fast")]
         {
-            let there: u64 = parts.iter().map(|costs| costs.of(other)).sum();
+            let there: u64 = parts.iter().map(|costs| costs.operations.of(other)).sum();
             if other != tier && there != own {
                 text += &format!(", {word} {there}");
             }

@@ -54,7 +54,7 @@ use super::modules::{Modules, ShaderModule};
 use super::pretty::pretty;
 use super::reflect::BoundVariable;
 use super::{exposed, host};
-use crate::compile::{ParamId, TypedGraph};
+use crate::compile::{ParamId, TierReason, TypedGraph};
 use crate::document::{ColorSpace, Look, Tier};
 use crate::frame::ViewNumber;
 use crate::library::Library;
@@ -123,7 +123,7 @@ pub struct TierCounts {
 impl TierCounts {
     fn of(look: &Look, typed: &TypedGraph) -> Self {
         let count = |tier: Tier| typed.nodes.iter().filter(|node| node.tier == tier).count();
-        let is_chosen = typed.nodes.iter().any(|node| node.is_automatic);
+        let is_chosen = typed.nodes.iter().any(|node| node.tier_reason != TierReason::Named);
         Self {
             exact: count(Tier::Exact),
             balanced: count(Tier::Balanced),

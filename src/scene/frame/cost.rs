@@ -7,7 +7,9 @@ use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
 use super::screen::ScreenModule;
-use crate::compile::{CompileOptions, CompiledShader, VertexAttribute, check, compile};
+use crate::compile::{
+    CompileOptions, CompiledShader, TierReason, VertexAttribute, check, compile,
+};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
 use crate::figures;
@@ -101,6 +103,33 @@ pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<Strin
     (operations.of_entry_points(module), counted)
 }
 
+/// Operations at each fragment in every tier.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct TierOperations {
+    /// Operations in the exact tier.
+    pub exact: u64,
+    /// Operations in the balanced tier.
+    pub balanced: u64,
+    /// Operations in the fast tier.
+    pub fast: u64,
+}
+
+impl TierOperations {
+    /// Operations in a tier.
+    pub fn of(&self, tier: Tier) -> u64 {
+        match tier {
+            Tier::Exact => self.exact,
+            Tier::Balanced => self.balanced,
+            Tier::Fast => self.fast,
+        }
+    }
+
+    /// True if the tiers cost the same.
+    pub fn are_same(&self) -> bool {
+        self.exact == self.balanced && self.balanced == self.fast
+    }
+}
+
 /// Tier of a node of a look, with what the node costs in every tier.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TierCosts {
@@ -108,25 +137,14 @@ pub struct TierCosts {
     pub node: String,
     /// Tier of the node.
     pub tier: Tier,
-    /// True if no tier is named for the node, so that this is the cheapest whose difference nobody
-    /// can see.
-    pub is_automatic: bool,
-    /// Operations at each fragment in the exact, the balanced and the fast tier, counted in naga's
-    /// IR, where the whole look is in that tier.
-    pub operations: [u64; 3],
-}
-
-impl TierCosts {
-    /// Operations of the node in a tier.
-    pub fn of(&self, tier: Tier) -> u64 {
-        self.operations[tier as usize]
-    }
-
-    /// The next tier nearer to the truth in which the node costs something else.
-    pub fn better(&self) -> Option<Tier> {
-        let nearer = [Tier::Balanced, Tier::Exact].into_iter().filter(|tier| *tier < self.tier);
-        nearer.into_iter().find(|tier| self.of(*tier) != self.of(self.tier))
-    }
+    /// Origin of the tier.
+    pub reason: TierReason,
+    /// Difference from the exact tier that the node's file states of the balanced one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balanced_error: Option<f64>,
+    /// Operations at each fragment in every tier, counted in naga's IR, where the whole look is in
+    /// that tier.
+    pub operations: TierOperations,
 }
 
 /// Costs of a look's nodes that run at each fragment, in every tier.
@@ -135,19 +153,29 @@ impl TierCosts {
 /// All errors of the look.
 pub fn tier_costs(look: &Look, library: &Library) -> Result<Vec<TierCosts>, Vec<Diagnostic>> {
     let options = CompileOptions::default();
-    let mut of_tiers = Vec::new();
-    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+    let counted = |tier: Tier| {
         let mut look = look.clone();
         look.set_every_tier(tier);
-        of_tiers.push(shader_operations(&compile(&look, library, &options)?.value).1);
-    }
+        Ok(shader_operations(&compile(&look, library, &options)?.value).1)
+    };
+    let exact = counted(Tier::Exact)?;
+    let (balanced, fast) = (counted(Tier::Balanced)?, counted(Tier::Fast)?);
     let nodes = check(look, library, None)?.value.nodes;
-    let costs = nodes.iter().filter_map(|node| {
+    let costs = nodes.into_iter().filter_map(|node| {
         let path = node.path.to_string();
-        let of = |tier: usize| of_tiers[tier].get(&path).copied();
-        let operations = [of(0)?, of(1).unwrap_or_default(), of(2).unwrap_or_default()];
-        let (tier, is_automatic) = (node.tier, node.is_automatic);
-        Some(TierCosts { node: path, tier, is_automatic, operations })
+        let of = |counts: &BTreeMap<String, u64>| counts.get(&path).copied().unwrap_or_default();
+        let operations = TierOperations {
+            exact: *exact.get(&path)?,
+            balanced: of(&balanced),
+            fast: of(&fast),
+        };
+        Some(TierCosts {
+            tier: node.tier,
+            reason: node.tier_reason,
+            balanced_error: node.def.error_of(Tier::Balanced).map(|error| error.bound),
+            operations,
+            node: path,
+        })
     });
     Ok(costs.collect())
 }

@@ -41,7 +41,7 @@ pub use assets::{
     image_bytes,
 };
 pub use camera::{View, widened};
-pub use cost::{EffectCost, TierCosts, attribute_bytes, tier_costs};
+pub use cost::{EffectCost, TierCosts, TierOperations, attribute_bytes, tier_costs};
 pub use coverage::PixelArea;
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use executor::{Executor, PictureFuture};

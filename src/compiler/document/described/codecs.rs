@@ -3,7 +3,8 @@
 use super::{Codec, DescribedObject, FieldType};
 use crate::document::json::JsonWriter;
 use crate::document::read::reader::{Fields, Reader};
-use crate::document::{ColorSpace, UnknownFields};
+use crate::document::word::WordChoice as _;
+use crate::document::{ColorSpace, Tier, UnknownFields};
 
 /// Codec of the value's type ([`FieldType`]).
 pub(in crate::document) struct PlainCodec;
@@ -72,6 +73,40 @@ impl Codec<ColorSpace> for DocumentSpace {
     fn is_left_out(
         value: &ColorSpace,
         default: &ColorSpace,
+        _unknown: Option<&UnknownFields>,
+    ) -> bool {
+        value == default
+    }
+}
+
+/// Words for the tier of a look: a tier, or none.
+pub(in crate::document) const AUTOMATIC_OR_TIER: &[(&str, &str)] = &[
+    ("automatic", "for each node exact or balanced, the cheaper whose difference nobody can see"),
+    Tier::WORDS[0],
+    Tier::WORDS[1],
+    Tier::WORDS[2],
+];
+
+/// Codec of the tier of a look, where none is `automatic`.
+pub(in crate::document) struct AutomaticTier;
+
+impl Codec<Option<Tier>> for AutomaticTier {
+    fn read(
+        r: &mut Reader<'_>,
+        fields: &mut Fields,
+        name: &'static str,
+    ) -> Option<Option<Tier>> {
+        let word = r.field(fields, name, |r, at, _| r.word_at(at, AUTOMATIC_OR_TIER));
+        word.map(|word| Tier::from_word(&word))
+    }
+
+    fn write(w: &mut JsonWriter, value: &Option<Tier>, _unknown: Option<&UnknownFields>) {
+        w.string(value.map_or(AUTOMATIC_OR_TIER[0].0, Tier::word));
+    }
+
+    fn is_left_out(
+        value: &Option<Tier>,
+        default: &Option<Tier>,
         _unknown: Option<&UnknownFields>,
     ) -> bool {
         value == default

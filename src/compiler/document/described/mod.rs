@@ -47,7 +47,9 @@ use super::read::reader::{Fields, Reader};
 use super::shape::{FieldKind, ObjectShape};
 
 pub(super) use choice::{described_choice, is_written_alike, write_choice};
-pub(super) use codecs::{CanvasColor, ColorCodec, DocumentSpace, FlatCodec, PlainCodec};
+pub(super) use codecs::{
+    AUTOMATIC_OR_TIER, AutomaticTier, CanvasColor, ColorCodec, DocumentSpace, FlatCodec, PlainCodec,
+};
 pub(super) use hcbtf::Digests;
 pub(super) use identified::{Nodes, Objects};
 pub(super) use keys::{DecidedBy, KeyPlace, TargetValues};
