@@ -303,10 +303,10 @@ Angle star_angle(vec3 direction_5, vec3 middle, vec3 x_axis_4, vec3 y_axis_4, in
     Angle u_3 = Angle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);
-    float _e30 = star_reach(around, 4.0, inner_1, 0.0);
-    float _e33 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    Angle _e37 = angle_of(((2.0 * _e33) / _e30));
-    return _e37;
+    float _e29 = star_reach(around, 4.0, inner_1, round_1);
+    float _e32 = atan2_positive(u_3.half_sin, u_3.half_cos);
+    Angle _e36 = angle_of(((2.0 * _e32) / _e29));
+    return _e36;
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {

@@ -425,10 +425,10 @@ Angle star_angle(float3 direction_5, float3 middle, float3 x_axis_4, float3 y_ax
     Angle u_3 = ConstructAngle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     const float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);
-    const float _e30 = star_reach(around, 4.0, inner_1, 0.0);
-    const float _e33 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    const Angle _e37 = angle_of(((2.0 * _e33) / _e30));
-    const Angle angle_5 = _e37;
+    const float _e29 = star_reach(around, 4.0, inner_1, round_1);
+    const float _e32 = atan2_positive(u_3.half_sin, u_3.half_cos);
+    const Angle _e36 = angle_of(((2.0 * _e32) / _e29));
+    const Angle angle_5 = _e36;
     return angle_5;
 }
 

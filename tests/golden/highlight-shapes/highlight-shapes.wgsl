@@ -381,7 +381,7 @@ fn star_angle(direction: vec3f, middle: vec3f, x_axis: vec3f, y_axis: vec3f, ray
     let bent = direction_within_2(direction, x_axis, y_axis);
     let u = Angle(0.5 * length(bent.direction - middle), 0.5 * length(bent.direction + middle));
     let around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.283185307179586;
-    let reach = star_reach(around, 4.0, inner, 0.0);
+    let reach = star_reach(around, 4.0, inner, round);
     return angle_of(2.0 * atan2_positive(u.half_sin, u.half_cos) / reach);
 }
 
