@@ -30,7 +30,8 @@ pub(super) fn parse(text: &str) -> Result<TierChoice, String> {
 /// Sentence on the tiers that a look's nodes were given because none is named for them; `None`
 /// where every tier is named.
 pub(super) fn told(look: &Look, library: &Library) -> Option<String> {
-    let nodes = check(look, library, None).ok()?.value.nodes;
+    let mut nodes = check(look, library, None).ok()?.value.nodes;
+    nodes.retain(|node| node.def.has_cheaper());
     if nodes.iter().all(|node| node.tier_reason == TierReason::Named) {
         return None;
     }

@@ -217,6 +217,10 @@ fn write(
     for (node, tier) in tuned.tiers() {
         Variant::set_tier(&mut look, node, tier);
     }
+    // Nodes that have no tiers to measure keep the bound, too.
+    if let Goal::MaxError(most) = tuned.goal {
+        look.max_error = look.max_error.min(most);
+    }
     look.tuned = tuned.summary();
     let text = look.to_text_like(&loaded.source);
     outputs.write(target, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])

@@ -1,8 +1,9 @@
 //! Nodes that name no tier have the cheapest whose difference nobody can see.
 
-use chiaro_compiler::compile::check;
+use chiaro_compiler::compile::{TierReason, check};
 use chiaro_compiler::document::{Look, Tier};
 use chiaro_compiler::library::Library;
+use chiaro_language::ids::PortName;
 
 use crate::support;
 
@@ -23,8 +24,9 @@ fn tier_of(look: &Look, node: &str) -> Tier {
     all.iter().find(|(path, _)| path == node).unwrap_or_else(|| panic!("{node}: {all:?}")).1
 }
 
-/// A sine of the texture coordinates, times `factor`, of which the fraction is shown.
-fn fraction_of_sine(factor: f64, rest: &str) -> Look {
+/// A sine of the texture coordinates, times `factor`, of which the fraction goes into `port` of the
+/// Output.
+fn fraction_into(port: &str, factor: f64, rest: &str) -> Look {
     look(&format!(
         r#"{{"chiaro": "look", {rest} "nodes": [
             {{"id": "uv", "kind": "uv"}},
@@ -36,8 +38,13 @@ fn fraction_of_sine(factor: f64, rest: &str) -> Look {
             {{"id": "output", "kind": "output"}}],
             "wires": [{{"from": "uv", "to": "u.vector"}}, {{"from": "u.x", "to": "turns.a"}},
                 {{"from": "turns", "to": "wave.angle"}}, {{"from": "wave", "to": "large.a"}},
-                {{"from": "large", "to": "part.value"}}, {{"from": "part", "to": "output.color"}}]}}"#
+                {{"from": "large", "to": "part.value"}},
+                {{"from": "part", "to": "output.{port}"}}]}}"#
     ))
+}
+
+fn fraction_of_sine(factor: f64, rest: &str) -> Look {
+    fraction_into("color", factor, rest)
 }
 
 #[test]
@@ -84,4 +91,40 @@ fn plain_looks_are_cheap() {
             .collect();
         assert!(exact.is_empty(), "{name}: {exact:?}");
     }
+}
+
+/// What the Output cuts away is a part of the picture, and so is a value that a key sets later.
+#[test]
+fn all_that_a_picture_depends_on_counts() {
+    assert_eq!(tier_of(&fraction_into("cutoff", 43_758.545, ""), "wave"), Tier::Exact);
+    let keyed = r#""time_keys": [{"target": "large.b",
+        "keys": [{"time": 0, "value": 1}, {"time": 1, "value": 43758.545}]}],"#;
+    assert_eq!(tier_of(&fraction_of_sine(1.0, keyed), "wave"), Tier::Exact);
+    let shown = check(
+        &fraction_of_sine(43_758.545, ""),
+        Library::built_in(),
+        Some(&("turns".into(), PortName::from(""))),
+    );
+    let nodes = shown.expect("it is whole").value.nodes;
+    let wave = nodes.iter().find(|node| node.path.to_string() == "wave").expect("it is there");
+    assert_eq!(wave.tier_reason, TierReason::Grows, "a wire that is shown changes no tier");
+}
+
+/// Near black a step of linear light is many of a screen's.
+#[test]
+fn linear_light_is_judged_as_it_is_shown() {
+    // The sine of 12.9 u is off by 5e-5, ten times that is less than a step, unless it is encoded.
+    let dark = |space: &str| {
+        let mut look = fraction_of_sine(10.0, &format!(r#""color_space": "{space}","#));
+        look.graph.nodes["part"].kind = "maximum".to_owned();
+        look.graph.wires.iter_mut().for_each(|wire| {
+            if wire.to.port.as_str() == "value" {
+                wire.to.port = "a".into();
+            }
+        });
+        look.max_error = 2e-3;
+        look
+    };
+    assert_eq!(tier_of(&dark("display"), "wave"), Tier::Balanced);
+    assert_eq!(tier_of(&dark("linear"), "wave"), Tier::Exact);
 }

@@ -101,6 +101,9 @@ fn tell_look(look: &LookReport, report: &ExplainReport) -> String {
 
 /// Tiers of the nodes, with what the others would cost: those that differ, the dearest first.
 fn tell_tiers(look: &LookReport) -> String {
+    if look.tiers.is_empty() {
+        return String::new();
+    }
     let mut text = "\n  Tiers, with operations at each fragment\n".to_owned();
     if look.tiers.iter().any(|node| node.reason != TierReason::Named) {
         let _ = writeln!(text, "    {}", bound_text(look.max_error));

@@ -61,7 +61,7 @@ pub struct TypedNode {
     pub name: String,
     /// The node's definition.
     pub def: Arc<NodeDef>,
-    /// The tier that the document asks for.
+    /// The tier that the document asks for, or that was chosen.
     pub tier: Tier,
     /// Origin of the tier.
     pub tier_reason: TierReason,
@@ -133,7 +133,7 @@ pub fn check(
     root: Option<&(NodePath, PortName)>,
 ) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
     let checked = check_all(look, library, root, &HashSet::new()).and_then(|checked| {
-        let seen = tiers::seen(&checked.value, look.max_error);
+        let seen = tiers::seen(&checked.value, look);
         if seen.is_empty() { Ok(checked) } else { check_all(look, library, root, &seen) }
     });
     match checked {

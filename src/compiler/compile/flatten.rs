@@ -95,7 +95,7 @@ pub(super) struct FlatNode {
     pub name: String,
     /// The node's definition.
     pub def: Arc<NodeDef>,
-    /// Implementation that the document asks for.
+    /// Implementation that the document asks for, or that was chosen.
     pub tier: Tier,
     /// Origin of the tier.
     pub reason: TierReason,

@@ -24,7 +24,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::{LightField, Look, Value};
+use crate::document::{LightField, Look, Tier, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Treatment, Type};
 use crate::wgsl::{self, ValidModule};
@@ -78,7 +78,8 @@ pub struct CompileOptions {
     /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or
     /// black, or that reach none of the objects.
     pub dark: BTreeSet<(LightId, LightField)>,
-    /// True if nothing is folded, merged or removed, for a module to compare pruned ones with.
+    /// True if nothing is folded, merged or removed, and a node is exact unless a tier is named for
+    /// it: for a module to compare pruned ones with.
     pub unspecialized: bool,
 }
 
@@ -172,6 +173,12 @@ pub fn compile(
     library: &Library,
     options: &CompileOptions,
 ) -> Result<WithWarnings<CompiledShader>, Vec<Diagnostic>> {
+    // What pruned modules are compared with is the truth.
+    let exact = options.unspecialized.then(|| Look {
+        tier: Some(look.tier.unwrap_or(Tier::Exact)),
+        ..look.clone()
+    });
+    let look = exact.as_ref().unwrap_or(look);
     let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
     Ok(WithWarnings::new(compile_typed(&typed, options)?, warnings))
 }

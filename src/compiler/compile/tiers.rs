@@ -15,16 +15,16 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
-use super::flatten::TierReason;
+use super::flatten::{ParamId, TierReason};
 use super::host::conversion_program;
 use super::intervals;
 use super::value::typed_value;
-use crate::document::{MAX_ERROR, Tier};
-use crate::ids::NodePath;
+use crate::document::{ColorSpace, Look, MAX_ERROR, Target, Tier, Value};
+use crate::ids::{LightId, NodePath, PortName};
 use crate::interp::{self, Bindings, BoundProgram, LANES, Lanes, Precision, Program};
 use crate::library::{
     ArgumentSource, Context, ContextBounds, ContextSample, Conversion, NodeModule, SurfacePoint,
-    Type,
+    Treatment, Type,
 };
 
 /// Number of points that a look is run at, in each round.
@@ -37,6 +37,12 @@ const TRIALS: usize = LANES / POINTS;
 /// points meet.
 const ROUNDS: u64 = 8;
 
+/// Side of a picture, in pixels.
+const PICTURE_SIDE: f64 = 1600.0;
+
+/// Most nodes that are run in the search, each time that one is counted.
+const MAX_WORK: usize = 200_000;
+
 /// Most runs of a look in the search for nodes whose errors grow; beyond these all are exact.
 const MAX_RUNS: usize = 40;
 
@@ -45,9 +51,10 @@ type Rows = Vec<[f64; LANES]>;
 
 /// The nodes, among those of `graph` that name no tier, whose stated error would be seen: they are
 /// to be exact.
-pub(super) fn seen(graph: &TypedGraph, max_error: f64) -> HashSet<NodePath> {
-    let candidates: Vec<(usize, f64)> = graph
-        .order
+pub(super) fn seen(graph: &TypedGraph, look: &Look) -> HashSet<NodePath> {
+    let roots = Roots::of(graph);
+    let order = roots.order(graph);
+    let candidates: Vec<(usize, f64)> = order
         .iter()
         .map(|&index| (index, stated_error(&graph.nodes[index])))
         .filter(|(_, error)| *error > 0.0)
@@ -55,10 +62,79 @@ pub(super) fn seen(graph: &TypedGraph, max_error: f64) -> HashSet<NodePath> {
     if candidates.is_empty() {
         return HashSet::new();
     }
-    let steps = Steps::of(graph);
+    let steps = Steps::of(graph, order);
     let bound = steps.bound();
-    let seen = Trial::new(graph, &steps, &bound, max_error).search(&candidates);
+    let spread = spread(graph, look);
+    let mut trial = ErrorTrial::new((graph, &roots, &spread), &steps, &bound, look.max_error);
+    let seen = trial.search(&candidates);
     seen.into_iter().map(|index| graph.nodes[index].path.clone()).collect()
+}
+
+/// What a picture depends on: everything that the Output takes, whatever else is shown, and what
+/// drives keys.
+struct Roots {
+    /// Inputs of the Output, by its index, or the output that is shown where there is none.
+    output: Result<usize, (usize, usize)>,
+    drivers: Vec<(usize, usize)>,
+}
+
+impl Roots {
+    fn of(graph: &TypedGraph) -> Self {
+        let is_output = |index: &&usize| {
+            let node = &graph.nodes[**index];
+            node.def.special == Treatment::Output && !node.inputs.is_empty()
+        };
+        let drivers = graph.drivers.iter().map(|driver| (driver.node, driver.output)).collect();
+        Self { output: graph.order.iter().find(is_output).copied().ok_or(graph.root), drivers }
+    }
+
+    /// Nodes that the roots depend on, each after all that it depends on.
+    fn order(&self, graph: &TypedGraph) -> Vec<usize> {
+        let mut is_reached = vec![false; graph.nodes.len()];
+        let mut open = vec![self.output.unwrap_or_else(|(node, _)| node)];
+        open.extend(self.drivers.iter().map(|(node, _)| *node));
+        while let Some(index) = open.pop() {
+            if !std::mem::replace(&mut is_reached[index], true) {
+                open.extend(sources(&graph.nodes[index]));
+            }
+        }
+        graph.order.iter().copied().filter(|&index| is_reached[index]).collect()
+    }
+}
+
+/// Values between which parameters move: those of keys, and of what scenes and hosts may set half
+/// and twice the document's.
+fn spread(graph: &TypedGraph, look: &Look) -> HashMap<ParamId, Vec<Value>> {
+    let mut spread: HashMap<ParamId, Vec<Value>> = HashMap::new();
+    if look.exposed.is_empty() && look.time_keys.is_empty() && look.direction_keys.is_empty() {
+        return spread;
+    }
+    let params = graph.params.iter().enumerate();
+    let by_place: HashMap<(&NodePath, &PortName), ParamId> =
+        params.map(|(id, param)| ((&param.path, &param.port), id)).collect();
+    let mut add = |target: &Target, values: &mut dyn FnMut(&Value) -> Vec<Value>| {
+        if let Target::Input { node, port } = target
+            && let Some(&id) = by_place.get(&(node, port))
+            && let Some(own) = &graph.params[id].value
+        {
+            spread.entry(id).or_insert_with(|| vec![own.clone()]).extend(values(own));
+        }
+    };
+    for exposed in &look.exposed {
+        add(&exposed.target, &mut |own| match own {
+            Value::Number(x) => vec![Value::Number(0.5 * x), Value::Number(2.0 * x)],
+            _ => Vec::new(),
+        });
+    }
+    for track in &look.time_keys {
+        add(&track.target, &mut |_| track.keys.iter().map(|key| key.value.clone()).collect());
+    }
+    for key in look.direction_keys.iter().flat_map(|set| &set.keys) {
+        for (target, value) in &key.values {
+            add(target, &mut |_| vec![value.clone()]);
+        }
+    }
+    spread
 }
 
 /// Greatest difference from the exact tier that is stated of a node in the tier that it has, or of
@@ -87,8 +163,9 @@ fn sources(node: &TypedNode) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-/// Programs of a graph's functions and conversions, each once.
+/// Nodes to run, with the programs of their functions and conversions, each once.
 struct Steps {
+    order: Vec<usize>,
     /// Number of wires that read each node, and one for the root's.
     readers: Vec<usize>,
     programs: Vec<Arc<Program>>,
@@ -97,19 +174,24 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(graph: &TypedGraph) -> Self {
+    fn of(graph: &TypedGraph, order: Vec<usize>) -> Self {
         let mut readers = vec![0; graph.nodes.len()];
-        readers[graph.root.0] = 1;
-        for source in graph.order.iter().flat_map(|&index| sources(&graph.nodes[index])) {
+        for source in order.iter().flat_map(|&index| sources(&graph.nodes[index])) {
             readers[source] += 1;
         }
+        // Results that are compared at the end stay.
+        let drivers = graph.drivers.iter().map(|driver| driver.node);
+        for kept in drivers.chain([graph.root.0]) {
+            readers[kept] += 1;
+        }
         let mut steps = Self {
+            order,
             readers,
             programs: Vec::new(),
             by_function: HashMap::new(),
             by_conversion: HashMap::new(),
         };
-        for &index in &graph.order {
+        for index in steps.order.clone() {
             let node = &graph.nodes[index];
             steps.add_function(&node.def.module, &node.variant().function);
             if let Some(prepare) = &node.def.prepare {
@@ -158,25 +240,31 @@ fn source_type(graph: &TypedGraph, source: &TypedSource) -> Option<Type> {
 }
 
 /// A graph that can be run with errors at some of its nodes.
-struct Trial<'g> {
+struct ErrorTrial<'g> {
     graph: &'g TypedGraph,
+    roots: &'g Roots,
+    spread: &'g HashMap<ParamId, Vec<Value>>,
     steps: &'g Steps,
     lanes: Vec<Option<Lanes<'g>>>,
-    contexts: HashMap<(Context, u64), Rows>,
+    contexts: HashMap<(Context, Option<LightId>, u64), Rows>,
     max_error: f64,
+    most_runs: usize,
     runs: usize,
     round: u64,
 }
 
-impl<'g> Trial<'g> {
+impl<'g> ErrorTrial<'g> {
     fn new(
-        graph: &'g TypedGraph,
+        (graph, roots, spread): (&'g TypedGraph, &'g Roots, &'g HashMap<ParamId, Vec<Value>>),
         steps: &'g Steps,
         bound: &'g [Option<BoundProgram<'g>>],
         max_error: f64,
     ) -> Self {
         let lanes = bound.iter().map(|bound| bound.as_ref()?.lanes().ok()).collect();
-        Self { graph, steps, lanes, contexts: HashMap::new(), max_error, runs: 0, round: 0 }
+        // A long look is run less often.
+        let most_runs = (MAX_WORK / steps.order.len().max(1)).clamp(3, MAX_RUNS);
+        let contexts = HashMap::new();
+        Self { graph, roots, spread, steps, lanes, contexts, max_error, most_runs, runs: 0, round: 0 }
     }
 
     /// Nodes among the candidates without whose errors nothing is seen.
@@ -185,16 +273,22 @@ impl<'g> Trial<'g> {
             return Vec::new();
         }
         let all = || candidates.iter().map(|(index, _)| *index).collect();
-        let seen = self.halves(candidates);
-        let rest: Vec<(usize, f64)> =
+        let mut seen = self.halves(candidates);
+        let mut rest: Vec<(usize, f64)> =
             candidates.iter().filter(|(index, _)| !seen.contains(index)).copied().collect();
-        let is_enough = self.runs < MAX_RUNS && self.is_unseen(&rest, self.max_error);
-        if is_enough { seen } else { all() }
+        // Errors that are unseen alone may be seen together.
+        while self.runs < self.most_runs {
+            if self.is_unseen(&rest, self.max_error) {
+                return seen;
+            }
+            seen.extend(rest.drain(..rest.len().div_ceil(2)).map(|(index, _)| index));
+        }
+        all()
     }
 
     fn halves(&mut self, candidates: &[(usize, f64)]) -> Vec<usize> {
-        // Others add their errors.
-        if self.runs >= MAX_RUNS || self.is_unseen(candidates, 0.5 * self.max_error) {
+        // The other half adds its errors.
+        if self.runs >= self.most_runs || self.is_unseen(candidates, 0.5 * self.max_error) {
             return Vec::new();
         }
         if let [(one, _)] = candidates {
@@ -213,23 +307,43 @@ impl<'g> Trial<'g> {
         let rounds = if self.max_error > MAX_ERROR { ROUNDS } else { 1 };
         (0..rounds).all(|round| {
             self.round = round;
-            self.run(&erring).iter().all(|row| {
-                let shown = |lane: usize| row[lane].clamp(0.0, 1.0);
+            self.run(&erring).iter().all(|(row, is_color)| {
+                let shown = |lane: usize| if *is_color { self.shown(row[lane]) } else { row[lane] };
                 (0..LANES).all(|lane| is_near(shown(lane), shown(lane - lane % TRIALS), most))
             })
         })
     }
 
-    /// Numbers of the root in all lanes.
-    fn run(&mut self, erring: &HashMap<usize, f64>) -> Rows {
+    /// A number of a color as a screen shows it.
+    fn shown(&self, x: f64) -> f64 {
+        let x = x.clamp(0.0, 1.0);
+        match self.graph.color_space {
+            ColorSpace::Display => x,
+            ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
+            ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
+        }
+    }
+
+    /// Numbers of the roots in all lanes, each with whether it is a part of a color.
+    fn run(&mut self, erring: &HashMap<usize, f64>) -> Vec<([f64; LANES], bool)> {
         let graph = self.graph;
         let mut results: Vec<Rows> = vec![Rows::new(); graph.nodes.len()];
         let mut left = self.steps.readers.clone();
-        for &index in &graph.order {
+        let mut root: Vec<([f64; LANES], bool)> = Vec::new();
+        for &index in &self.steps.order {
             let node = &graph.nodes[index];
+            if self.roots.output == Ok(index) {
+                for input in node.inputs.iter().flatten() {
+                    let is_color = matches!(input.ty, Type::Color | Type::Composite);
+                    let rows = self.input(node, input, &results);
+                    root.extend(rows.into_iter().map(|row| (row, is_color)));
+                }
+                continue;
+            }
             let mut rows = self.node(node, &results);
             if let Some(&error) = erring.get(&index) {
-                add_errors(&mut rows, error, &mut Random(index as u64 ^ self.round << 32));
+                let mut random = Random(index as u64 ^ self.round << 32);
+                add_errors(&mut rows, &numbers_of(node), error, &mut random);
             }
             results[index] = rows;
             for source in sources(node) {
@@ -239,13 +353,18 @@ impl<'g> Trial<'g> {
                 }
             }
         }
-        let (node, output) = graph.root;
-        output_rows(graph, &results, node, output)
+        let outputs = self.roots.output.err().into_iter().map(|output| (output, true));
+        let drivers = self.roots.drivers.iter().map(|output| (*output, false));
+        for ((node, output), is_color) in outputs.chain(drivers) {
+            let rows = output_rows(graph, &results, node, output);
+            root.extend(rows.into_iter().map(|row| (row, is_color)));
+        }
+        root
     }
 
     fn node(&mut self, node: &TypedNode, results: &[Rows]) -> Rows {
         let inputs: Vec<Option<Rows>> =
-            node.inputs.iter().map(|input| Some(self.input(input.as_ref()?, results))).collect();
+            node.inputs.iter().map(|input| Some(self.input(node, input.as_ref()?, results))).collect();
         let given = |input: usize| inputs.get(input).cloned().flatten().unwrap_or_default();
         let variant = node.variant();
         let mut arguments = Rows::new();
@@ -289,18 +408,29 @@ impl<'g> Trial<'g> {
         }
     }
 
-    fn input(&mut self, input: &TypedInput, results: &[Rows]) -> Rows {
+    fn input(&mut self, node: &TypedNode, input: &TypedInput, results: &[Rows]) -> Rows {
         let rows = match &input.source {
             TypedSource::Wire { node, output } => output_rows(self.graph, results, *node, *output),
             TypedSource::Param(..) if input.ty.is_texture() => return Rows::new(),
-            TypedSource::Param(_, value) => {
-                let value = typed_value(value, &input.ty).unwrap_or(interp::Value::Float(0.0));
-                return rows_of(&value);
+            TypedSource::Param(id, value) => {
+                let rows = |value: &Value| {
+                    let value = typed_value(value, &input.ty);
+                    rows_of(&value.unwrap_or(interp::Value::Float(0.0)))
+                };
+                return match self.spread.get(id) {
+                    None => rows(value),
+                    Some(values) => {
+                        let ends: Vec<Rows> = values.iter().map(rows).collect();
+                        between(&ends, *id as u64 ^ self.round << 32)
+                    }
+                };
             }
             TypedSource::Context(context) => {
-                let (context, round) = (*context, self.round);
-                let rows = self.contexts.entry((context, round));
-                rows.or_insert_with(|| context_rows(context, round)).clone()
+                let light = context.light_input().and_then(|_| node.light.clone());
+                let key = (*context, light, self.round);
+                let seed = hash_of(context.word(), key.1.as_ref().map_or("", AsRef::as_ref));
+                let rows = self.contexts.entry(key);
+                rows.or_insert_with(|| context_rows(*context, seed, self.round)).clone()
             }
         };
         match (&input.conversion, source_type(self.graph, &input.source)) {
@@ -352,17 +482,57 @@ fn output_rows(graph: &TypedGraph, results: &[Rows], node: usize, output: usize)
     rows.iter().skip(before).take(count).copied().collect()
 }
 
+/// For each scalar of a node's result, true if it is a number that may be off: truth values and
+/// integers are not.
+fn numbers_of(node: &TypedNode) -> Vec<bool> {
+    let variant = node.variant();
+    let of = |ty: &Type| {
+        let is_number = !matches!(ty, Type::Bool | Type::Int);
+        vec![is_number; intervals::scalars_in(ty).unwrap_or(1)]
+    };
+    if variant.result_is_struct {
+        node.def.outputs.iter().flat_map(|output| of(&output.ty)).collect()
+    } else {
+        of(&variant.result)
+    }
+}
+
 /// Moves the numbers of all lanes but the first of each point by up to `error`, relative above 1.
-fn add_errors(rows: &mut Rows, error: f64, random: &mut Random) {
-    for row in rows {
+fn add_errors(rows: &mut Rows, are_numbers: &[bool], error: f64, random: &mut Random) {
+    for (row, _) in rows.iter_mut().zip(are_numbers).filter(|(_, is_number)| **is_number) {
         for (lane, x) in row.iter_mut().enumerate() {
             let share = 2.0 * random.unit() - 1.0;
-            // Truth values and counts are not off.
-            if lane % TRIALS != 0 && x.fract() != 0.0 {
+            if lane % TRIALS != 0 {
                 *x += error * share * x.abs().max(1.0);
             }
         }
     }
+}
+
+/// A value that moves between others: at each point a mix of two of them.
+fn between(ends: &[Rows], seed: u64) -> Rows {
+    let mut random = Random(seed);
+    let choices: Vec<(usize, usize, f64)> = (0..POINTS)
+        .map(|_| {
+            let mut index = || (random.unit() * ends.len() as f64) as usize;
+            let (one, other) = (index(), index());
+            (one, other, random.unit())
+        })
+        .collect();
+    let number = |part: usize, lane: usize| {
+        let (one, other, share) = choices[lane / TRIALS];
+        let at = |end: usize| ends[end].get(part).map_or(0.0, |row| row[lane]);
+        at(one) + share * (at(other) - at(one))
+    };
+    let count = ends.first().map_or(0, Vec::len);
+    (0..count).map(|part| std::array::from_fn(|lane| number(part, lane))).collect()
+}
+
+/// FNV-1a of two words.
+fn hash_of(one: &str, other: &str) -> u64 {
+    one.bytes().chain([0]).chain(other.bytes()).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    })
 }
 
 /// Numbers as an image with strong contrasts gives them, from 0 to 1.
@@ -397,8 +567,8 @@ fn rows_of(value: &interp::Value) -> Rows {
     rows
 }
 
-/// A context at each point of a round; lights and what the host knows, within their bounds.
-fn context_rows(context: Context, round: u64) -> Rows {
+/// A context at each point of a round; lights and what a scene decides, within their bounds.
+fn context_rows(context: Context, seed: u64, round: u64) -> Rows {
     let row = context.row();
     let values: Vec<Rows> = (0..POINTS as u64)
         .map(|point| {
@@ -407,15 +577,21 @@ fn context_rows(context: Context, round: u64) -> Rows {
             let known = rows_of(&row.sample.value(context, &surface_point(&mut random), None));
             let count = intervals::scalars_in(&Type::from_wgsl(context.wgsl_type()));
             let count = count.unwrap_or(known.len());
-            if known.len() == count && !matches!(row.sample, ContextSample::None(_)) {
+            if known.len() == count && matches!(row.sample, ContextSample::Of { .. }) {
                 return known;
             }
-            let mut random = Random(context.word().len() as u64 * 1000 + point);
+            let mut random = Random(seed.wrapping_add(point));
             let direction = random.direction();
-            let number = |part: usize, random: &mut Random| match row.bounds {
-                ContextBounds::Unit if count == 3 => direction[part],
-                ContextBounds::Intensity => 1.0,
-                ContextBounds::Count => (10.0 * random.unit()).floor(),
+            let number = |part: usize, random: &mut Random| match (row.sample, row.bounds) {
+                // Places in a picture have no end.
+                (ContextSample::Own { range: (low, high), .. }, _) => {
+                    let low = low.unwrap_or(0.0);
+                    let high = high.unwrap_or(low + PICTURE_SIDE);
+                    low + (high - low) * random.unit()
+                }
+                (_, ContextBounds::Unit) if count == 3 => direction[part],
+                (_, ContextBounds::Intensity) => 1.0,
+                (_, ContextBounds::Count) => (PICTURE_SIDE * random.unit()).floor(),
                 _ => random.unit(),
             };
             (0..count).map(|part| [number(part, &mut random); LANES]).collect()

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Context;
+use super::{Context, Library};
 use super::module::NodeModule;
-use super::rules::MAX_FORM_ERROR;
 use super::types::Type;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier, Value};
@@ -271,10 +270,32 @@ impl NodeDef {
 
     /// Cheapest tier whose result differs from the exact one by at most `bound`, by what is stated
     /// of the node and of the functions that it calls. `fast` is for artists to choose: what is
-    /// stated of it leaves out edges.
+    /// stated of it leaves out edges. A node of a project that states nothing of its cheaper forms
+    /// is exact: nobody knows what becomes of their errors within it.
     pub fn cheapest_within(&self, bound: f64) -> Tier {
-        let stated = self.error_of(Tier::Balanced).map_or(0.0, |error| error.bound);
-        if stated.max(MAX_FORM_ERROR) <= bound { Tier::Balanced } else { Tier::Exact }
+        let of_forms = self.form_error();
+        let stated = self.error_of(Tier::Balanced).map(|error| error.bound);
+        let is_unknown = stated.is_none()
+            && (self.variants.iter().any(|variant| variant.tier == Tier::Balanced)
+                || (of_forms > 0.0 && !self.is_shipped()));
+        let error = stated.unwrap_or_default().max(of_forms);
+        if is_unknown || error > bound { Tier::Exact } else { Tier::Balanced }
+    }
+
+    /// True if a tier other than the exact one may compute in another way.
+    pub fn has_cheaper(&self) -> bool {
+        self.tiers().len() > 1 || self.form_error() > 0.0
+    }
+
+    /// Greatest difference that balanced forms make of the functions that the node calls.
+    pub fn form_error(&self) -> f64 {
+        let of = |variant: &NodeFunction| self.module.form_error(&variant.function);
+        self.variants.iter().map(of).fold(0.0, f64::max)
+    }
+
+    fn is_shipped(&self) -> bool {
+        let shipped = Library::built_in().nodes.values().next();
+        shipped.is_some_and(|def| Arc::ptr_eq(&def.module, &self.module))
     }
 
     /// Tier of a node of this kind in a look's own graph.

@@ -70,7 +70,7 @@ pub enum FactLimit {
 }
 
 /// Greatest difference that a form of the balanced tier may make.
-pub(crate) const MAX_FORM_ERROR: f64 = 2e-3;
+const MAX_FORM_ERROR: f64 = 2e-3;
 
 /// Tag of a rule's line.
 const TAG: &str = "@where ";

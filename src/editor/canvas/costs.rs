@@ -112,7 +112,6 @@ impl Costs {
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
         };
         let parts: Vec<&TierCosts> = self.known.iter().filter(is_of).collect();
-        let tier = parts.iter().map(|costs| costs.tier).min()?;
         let own: u64 = parts.iter().map(|costs| costs.operations.of(costs.tier)).sum();
         if parts.iter().all(|costs| costs.operations == TierOperations::default()) {
             return None;
@@ -122,12 +121,12 @@ impl Costs {
             [(Tier::Exact, "exact"), (Tier::Balanced, "balanced"), (Tier::Fast, "fast")]
         {
             let there: u64 = parts.iter().map(|costs| costs.operations.of(other)).sum();
-            if other != tier && there != own {
+            if there != own {
                 text += &format!(", {word} {there}");
             }
         }
         if let Some(share) = self.shares.get(node).filter(|_| groups.is_empty()) {
-            text += &format!(", {:.0}% of the time", 100.0 * share);
+            text += &format!(", {:.0}% of the time when exact", 100.0 * share);
         }
         Some(text)
     }

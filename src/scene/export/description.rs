@@ -105,7 +105,7 @@ pub struct Description {
     pub time_keys: Vec<crate::document::TimeKeys>,
 }
 
-/// Number of the look's nodes in each tier, groups opened.
+/// Number of the look's nodes in each tier, groups opened, of those that have cheaper ones.
 #[derive(Clone, Debug, Serialize)]
 pub struct TierCounts {
     /// Nodes in the exact tier.
@@ -122,8 +122,9 @@ pub struct TierCounts {
 
 impl TierCounts {
     fn of(look: &Look, typed: &TypedGraph) -> Self {
-        let count = |tier: Tier| typed.nodes.iter().filter(|node| node.tier == tier).count();
-        let is_chosen = typed.nodes.iter().any(|node| node.tier_reason != TierReason::Named);
+        let nodes = || typed.nodes.iter().filter(|node| node.def.has_cheaper());
+        let count = |tier: Tier| nodes().filter(|node| node.tier == tier).count();
+        let is_chosen = nodes().any(|node| node.tier_reason != TierReason::Named);
         Self {
             exact: count(Tier::Exact),
             balanced: count(Tier::Balanced),

@@ -52,8 +52,8 @@ pub enum Edit {
     SetLookAbout { about: String },
     /// Sets the color space.
     SetColorSpace { color_space: ColorSpace },
-    /// Sets the tier of all nodes without a tier of their own; `None` for the cheapest of each whose
-    /// difference nobody can see.
+    /// Sets the tier of all nodes without a tier of their own; `None` for the cheapest of each
+    /// whose difference nobody can see.
     SetLookTier { tier: Option<Tier> },
 
     /// Adds a node under a new id.

@@ -200,7 +200,13 @@ fn tier_row(
     InspectedNode { session, id, node, kind, .. }: &InspectedNode<'_>,
     out: &mut Vec<Command>,
 ) {
-    if kind.tiers.len() < 2 {
+    let def = session.project.library.nodes.get(&kind.id);
+    let tiers = match kind.tiers.as_slice() {
+        // Forms of the functions that it calls make a tier, too.
+        [_] if def.is_some_and(|def| def.has_cheaper()) => vec![Tier::Exact, Tier::Balanced],
+        tiers => tiers.to_vec(),
+    };
+    if tiers.len() < 2 {
         return;
     }
     row::labelled(
@@ -219,7 +225,7 @@ fn tier_row(
             let combo = egui::ComboBox::from_id_salt("tier")
                 .selected_text(name(node.tier))
                 .show_ui(ui, |ui| {
-                    for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
+                    for tier in std::iter::once(None).chain(tiers.iter().copied().map(Some)) {
                         let response = ui
                             .selectable_label(node.tier == tier, name(tier))
                             .on_hover_text(error_of(session, kind, tier));

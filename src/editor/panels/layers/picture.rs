@@ -17,6 +17,7 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
     let mut shown = Look {
         color_space: look.color_space,
         tier: look.tier,
+        max_error: look.max_error,
         lights: look.lights.clone(),
         definitions: look.definitions.clone(),
         graph: upstream(&look.graph, id, mode.is_some()),

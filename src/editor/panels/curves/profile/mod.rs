@@ -146,8 +146,10 @@ impl<'a> ProfileNode<'a> {
     }
 
     fn tier(&self) -> Tier {
+        let path = self.session.selection.path_of(self.id);
+        let known = self.session.compilation().tier_of(&path);
         let def = self.session.project.library.nodes.get(&self.node.kind);
-        def.map_or(Tier::Exact, |def| def.tier_in(self.session.look(), self.node))
+        known.or(def.map(|def| def.tier_in(self.session.look(), self.node))).unwrap_or_default()
     }
 
     /// Shape at each key of the set that moves the shape, with the key's index.
