@@ -5,9 +5,7 @@ use std::fmt::Write as _;
 use super::super::tier::bound_text;
 use super::report::{DecidingDriver, ExplainReport, LookReport, names};
 use crate::compile::TierReason;
-use crate::frame::{
-    Effect, EffectCost, EffectKind, EffectState, TierCosts, TierOperations,
-};
+use crate::frame::{Effect, EffectCost, EffectKind, EffectState, TierCosts, TierOperations};
 use crate::library::Rate;
 use chiaro_laboratory::accuracy::report::tier_word;
 

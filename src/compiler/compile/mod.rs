@@ -174,10 +174,9 @@ pub fn compile(
     options: &CompileOptions,
 ) -> Result<WithWarnings<CompiledShader>, Vec<Diagnostic>> {
     // What pruned modules are compared with is the truth.
-    let exact = options.unspecialized.then(|| Look {
-        tier: Some(look.tier.unwrap_or(Tier::Exact)),
-        ..look.clone()
-    });
+    let exact = options
+        .unspecialized
+        .then(|| Look { tier: Some(look.tier.unwrap_or(Tier::Exact)), ..look.clone() });
     let look = exact.as_ref().unwrap_or(look);
     let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
     Ok(WithWarnings::new(compile_typed(&typed, options)?, warnings))

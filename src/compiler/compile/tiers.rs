@@ -264,7 +264,18 @@ impl<'g> ErrorTrial<'g> {
         // A long look is run less often.
         let most_runs = (MAX_WORK / steps.order.len().max(1)).clamp(3, MAX_RUNS);
         let contexts = HashMap::new();
-        Self { graph, roots, spread, steps, lanes, contexts, max_error, most_runs, runs: 0, round: 0 }
+        Self {
+            graph,
+            roots,
+            spread,
+            steps,
+            lanes,
+            contexts,
+            max_error,
+            most_runs,
+            runs: 0,
+            round: 0,
+        }
     }
 
     /// Nodes among the candidates without whose errors nothing is seen.
@@ -363,8 +374,11 @@ impl<'g> ErrorTrial<'g> {
     }
 
     fn node(&mut self, node: &TypedNode, results: &[Rows]) -> Rows {
-        let inputs: Vec<Option<Rows>> =
-            node.inputs.iter().map(|input| Some(self.input(node, input.as_ref()?, results))).collect();
+        let inputs: Vec<Option<Rows>> = node
+            .inputs
+            .iter()
+            .map(|input| Some(self.input(node, input.as_ref()?, results)))
+            .collect();
         let given = |input: usize| inputs.get(input).cloned().flatten().unwrap_or_default();
         let variant = node.variant();
         let mut arguments = Rows::new();

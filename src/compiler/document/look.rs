@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::described::{AUTOMATIC_OR_TIER, AutomaticTier, described};
+use super::described::{AUTOMATIC_OR_TIER, described};
 use super::light::{Light, LightField};
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{Context, Library};
 use super::module::NodeModule;
 use super::types::Type;
+use super::{Context, Library};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier, Value};
 use crate::ids::PortName;

@@ -7,9 +7,7 @@ use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
 use super::screen::ScreenModule;
-use crate::compile::{
-    CompileOptions, CompiledShader, TierReason, VertexAttribute, check, compile,
-};
+use crate::compile::{CompileOptions, CompiledShader, TierReason, VertexAttribute, check, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
 use crate::figures;
@@ -156,7 +154,8 @@ pub fn tier_costs(look: &Look, library: &Library) -> Result<Vec<TierCosts>, Vec<
     let counted = |tier: Tier| {
         let mut look = look.clone();
         look.set_every_tier(tier);
-        Ok(shader_operations(&compile(&look, library, &options)?.value).1)
+        let shader = compile(&look, library, &options)?.value;
+        Ok::<_, Vec<Diagnostic>>(shader_operations(&shader).1)
     };
     let exact = counted(Tier::Exact)?;
     let (balanced, fast) = (counted(Tier::Balanced)?, counted(Tier::Fast)?);
@@ -164,11 +163,8 @@ pub fn tier_costs(look: &Look, library: &Library) -> Result<Vec<TierCosts>, Vec<
     let costs = nodes.into_iter().filter_map(|node| {
         let path = node.path.to_string();
         let of = |counts: &BTreeMap<String, u64>| counts.get(&path).copied().unwrap_or_default();
-        let operations = TierOperations {
-            exact: *exact.get(&path)?,
-            balanced: of(&balanced),
-            fast: of(&fast),
-        };
+        let operations =
+            TierOperations { exact: *exact.get(&path)?, balanced: of(&balanced), fast: of(&fast) };
         Some(TierCosts {
             tier: node.tier,
             reason: node.tier_reason,

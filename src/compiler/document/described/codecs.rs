@@ -91,11 +91,7 @@ pub(in crate::document) const AUTOMATIC_OR_TIER: &[(&str, &str)] = &[
 pub(in crate::document) struct AutomaticTier;
 
 impl Codec<Option<Tier>> for AutomaticTier {
-    fn read(
-        r: &mut Reader<'_>,
-        fields: &mut Fields,
-        name: &'static str,
-    ) -> Option<Option<Tier>> {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<Option<Tier>> {
         let word = r.field(fields, name, |r, at, _| r.word_at(at, AUTOMATIC_OR_TIER));
         word.map(|word| Tier::from_word(&word))
     }
