@@ -97,7 +97,7 @@ fn plain_looks_are_cheap() {
     }
 }
 
-/// What the Output cuts away is a part of the picture, and so is a value that a key sets later.
+/// Parts that the Output cuts away belong to the picture, and so do values that a key sets later.
 #[test]
 fn all_that_a_picture_depends_on_counts() {
     assert_eq!(tier_of(&fraction_into("cutoff", 43_758.545, ""), "wave"), Tier::Exact);

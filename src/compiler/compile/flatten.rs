@@ -75,13 +75,13 @@ pub(super) enum FlatInput {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum TierReason {
-    /// The document names it.
+    /// Name in the document.
     Named,
-    /// It is the cheapest, and nobody can see the difference.
+    /// Choice of the cheapest: nobody can see the difference.
     Unseen,
-    /// The difference that is stated of a cheaper one is greater than the look allows.
+    /// Stated difference of a cheaper one, which is greater than the look allows.
     Stated,
-    /// The difference of a cheaper one would grow beyond what the look allows on its way to the
+    /// Difference of a cheaper one that would grow beyond what the look allows on its way to the
     /// picture.
     Grows,
 }

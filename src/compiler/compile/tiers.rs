@@ -70,8 +70,8 @@ pub(super) fn seen(graph: &TypedGraph, look: &Look) -> HashSet<NodePath> {
     seen.into_iter().map(|index| graph.nodes[index].path.clone()).collect()
 }
 
-/// What a picture depends on: everything that the Output takes, whatever else is shown, and what
-/// drives keys.
+/// Ends that a picture depends on: everything that the Output takes, whatever else is shown, and
+/// what drives keys.
 struct Roots {
     /// Inputs of the Output, by its index, or the output that is shown where there is none.
     output: Result<usize, (usize, usize)>,

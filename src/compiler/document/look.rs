@@ -136,8 +136,7 @@ described! {
         values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 1000);
         /// Implementation; of a group's node, that of every node in the group.
         tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
-            words "that of the group's node it lies in, or else the look's; a look's `automatic` is \
-                   of each node by itself";
+            words "that of the group's node it lies in, or else the look's";
         /// True if the node is left out: inputs go out as they are.
         muted: bool = false, FieldKind::Bool;
         /// True if the canvas shows no more than the node's title.

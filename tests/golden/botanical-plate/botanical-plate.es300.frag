@@ -487,7 +487,7 @@ uint blue_index(ivec2 cell_1) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn = vec2(sin(angle), cos(angle));
+    vec2 turn = vec2(0.0, 1.0);
     vec3 x_8 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);

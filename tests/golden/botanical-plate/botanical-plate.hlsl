@@ -628,7 +628,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    float2 turn = float2(sin(angle), cos(angle));
+    float2 turn = float2(0.0, 1.0);
     float3 x_8 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);

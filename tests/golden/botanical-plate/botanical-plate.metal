@@ -637,7 +637,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
+    metal::float2 turn = metal::float2(0.0, 1.0);
     metal::float3 x_8 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);

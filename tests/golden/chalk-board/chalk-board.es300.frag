@@ -268,7 +268,7 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle_1) {
-    vec2 turn_1 = vec2(sin(angle_1), cos(angle_1));
+    vec2 turn_1 = vec2(0.0, 1.0);
     vec3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
     vec3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
     vec2 _e17 = bounded_vec2_(place);

@@ -366,7 +366,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle_1)
 {
-    float2 turn_1 = float2(sin(angle_1), cos(angle_1));
+    float2 turn_1 = float2(0.0, 1.0);
     float3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
     float3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
     const float2 _e17 = bounded_vec2_(place);

@@ -338,7 +338,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle_1
 ) {
-    metal::float2 turn_1 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
+    metal::float2 turn_1 = metal::float2(0.0, 1.0);
     metal::float3 x_2 = (turn_1.y * along) + (turn_1.x * across);
     metal::float3 y_1 = (turn_1.y * across) - (turn_1.x * along);
     metal::float2 _e17 = bounded_vec2_(place);

@@ -274,7 +274,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = vec2f(sin(angle), cos(angle));
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);

@@ -141,6 +141,11 @@ float log2_stable(float x_2) {
     return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
+vec2 sin_cos_eighth(float x_3) {
+    float s = (x_3 * 0.9088517);
+    return vec2(s, 0.73168886);
+}
+
 vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
     float square_1 = dot(v_2, v_2);
     return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
@@ -151,11 +156,11 @@ vec3 normalize_seen(vec3 v_3) {
     return _e5;
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
+float bounded(float x_4) {
+    uint bits_1 = floatBitsToUint(x_4);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 vec2 bounded_vec2_(vec2 v_4) {
@@ -188,17 +193,17 @@ vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
     return _e14;
 }
 
-float place_between(float x_4, float low, float high) {
+float place_between(float x_5, float low, float high) {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_4 >= high) ? 1.0 : 0.0);
+        return ((x_5 >= high) ? 1.0 : 0.0);
     }
-    float _e13 = bounded(((x_4 - low) / span));
+    float _e13 = bounded(((x_5 - low) / span));
     return _e13;
 }
 
-float eased(float x_5, float low_1, float high_1) {
-    float _e3 = place_between(x_5, low_1, high_1);
+float eased(float x_6, float low_1, float high_1) {
+    float _e3 = place_between(x_6, low_1, high_1);
     float t_1 = clamp(_e3, 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
@@ -303,7 +308,7 @@ uint blue_index(ivec2 cell_1) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn_6 = vec2(sin(angle), cos(angle));
+    vec2 turn_6 = vec2(0.0, 1.0);
     vec3 _e12 = bounded_vec3_(((turn_6.y * along) + (turn_6.x * across)));
     vec3 _e18 = bounded_vec3_(((turn_6.y * across) - (turn_6.x * along)));
     vec2 turned = vec2(((turn_6.y * place.x) + (turn_6.x * place.y)), ((turn_6.y * place.y) - (turn_6.x * place.x)));
@@ -313,14 +318,15 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 }
 
 StretchedPlace mark_place_of_2_(vec2 place_1, vec3 along_1, vec3 across_1, float angle_1) {
-    vec2 turn_7 = vec2(sin(angle_1), cos(angle_1));
-    vec3 x_6 = ((turn_7.y * along_1) + (turn_7.x * across_1));
+    vec2 _e5 = sin_cos_eighth(0.75);
+    vec2 turn_7 = clamp(_e5, vec2(-1.0), vec2(1.0));
+    vec3 x_7 = ((turn_7.y * along_1) + (turn_7.x * across_1));
     vec3 y = ((turn_7.y * across_1) - (turn_7.x * along_1));
-    vec2 _e17 = bounded_vec2_(place_1);
-    vec2 turned_1 = vec2(((turn_7.y * _e17.x) + (turn_7.x * _e17.y)), ((turn_7.y * _e17.y) - (turn_7.x * _e17.x)));
-    vec3 stretch_13 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    vec2 _e37 = bounded_vec2_(turned_1);
-    return StretchedPlace(_e37, stretch_13);
+    vec2 _e21 = bounded_vec2_(place_1);
+    vec2 turned_1 = vec2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
+    vec3 stretch_13 = vec3(dot(x_7, x_7), dot(x_7, y), dot(y, y));
+    vec2 _e41 = bounded_vec2_(turned_1);
+    return StretchedPlace(_e41, stretch_13);
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
@@ -353,8 +359,8 @@ SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
     float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
     vec2 p_6 = clamp((place_3 * scale_2), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch);
-    vec3 s = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
+    vec3 s_1 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
 SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count_1) {
@@ -362,8 +368,8 @@ SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count
     float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
     vec2 p_7 = clamp((place_4 * scale_3), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch_1);
-    vec3 s_1 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_1));
+    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_2));
 }
 
 SpacedPlace spaced_3_(vec2 place_5, vec3 stretch_2, vec2 viewport_3, float count_2) {
@@ -389,8 +395,8 @@ SpacedPlace spaced_5_(vec2 place_7, vec3 stretch_4, vec2 viewport_5, float count
     float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
     vec2 p_10 = clamp((place_7 * scale_6), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch_4);
-    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_2));
+    vec3 s_3 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_3));
 }
 
 float area_square(vec3 stretch_5) {
@@ -407,8 +413,8 @@ Brushstroke brush_stroke(vec2 p, ivec2 cell_2, int zoom, float drawn, Brush styl
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
     vec3 chance = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset = (p - ((vec2(cell_2) + vec2(0.5)) + (style_1.scatter * (chance.xy - vec2(0.5)))));
-    float x_7 = (0.5 * (chance.z - 0.5));
-    vec2 turn_8 = vec2(sin(x_7), cos(x_7));
+    float x_8 = (0.5 * (chance.z - 0.5));
+    vec2 turn_8 = vec2(sin(x_8), cos(x_8));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
     float way = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_3 = Brushstroke(vec2(0.5), turn_8, way, 0.0);
@@ -533,8 +539,8 @@ Brushstroke brush_stroke_2_(vec2 p_1, ivec2 cell_3, int zoom_1, float drawn_1, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(3041712726u, 596033154u, 2419070270u)));
     vec3 chance_2 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_1 = (p_1 - ((vec2(cell_3) + vec2(0.5)) + (style_4.scatter * (chance_2.xy - vec2(0.5)))));
-    float x_8 = (0.5 * (chance_2.z - 0.5));
-    vec2 turn_9 = vec2(sin(x_8), cos(x_8));
+    float x_9 = (0.5 * (chance_2.z - 0.5));
+    vec2 turn_9 = vec2(sin(x_9), cos(x_9));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
     float way_1 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_4 = Brushstroke(vec2(0.5), turn_9, way_1, 0.0);
@@ -626,8 +632,8 @@ Brushstroke brush_stroke_3_(vec2 p_2, ivec2 cell_4, int zoom_2, float drawn_2, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(1013904242u, 198677718u, 2238012522u)));
     vec3 chance_3 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_2 = (p_2 - ((vec2(cell_4) + vec2(0.5)) + (style_6.scatter * (chance_3.xy - vec2(0.5)))));
-    float x_9 = (0.5 * (chance_3.z - 0.5));
-    vec2 turn_10 = vec2(sin(x_9), cos(x_9));
+    float x_10 = (0.5 * (chance_3.z - 0.5));
+    vec2 turn_10 = vec2(sin(x_10), cos(x_10));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
     float way_2 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_5 = Brushstroke(vec2(0.5), turn_10, way_2, 0.0);
@@ -724,8 +730,8 @@ Brushstroke brush_stroke_4_(vec2 p_3, ivec2 cell_5, int zoom_3, float drawn_3, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
     vec3 chance_4 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_3 = (p_3 - ((vec2(cell_5) + vec2(0.5)) + (style_9.scatter * (chance_4.xy - vec2(0.5)))));
-    float x_10 = (0.5 * (chance_4.z - 0.5));
-    vec2 turn_11 = vec2(sin(x_10), cos(x_10));
+    float x_11 = (0.5 * (chance_4.z - 0.5));
+    vec2 turn_11 = vec2(sin(x_11), cos(x_11));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(2027808484u, 397355436u, 181057748u)));
     float way_3 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_6 = Brushstroke(vec2(0.5), turn_11, way_3, 0.0);
@@ -817,8 +823,8 @@ Brushstroke brush_stroke_5_(vec2 p_4, ivec2 cell_6, int zoom_4, float drawn_4, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(2027808484u, 397355436u, 181057748u)));
     vec3 chance_5 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_4 = (p_4 - ((vec2(cell_6) + vec2(0.5)) + (style_11.scatter * (chance_5.xy - vec2(0.5)))));
-    float x_11 = (style_11.turn * (chance_5.z - 0.5));
-    vec2 turn_12 = vec2(sin(x_11), cos(x_11));
+    float x_12 = (style_11.turn * (chance_5.z - 0.5));
+    vec2 turn_12 = vec2(sin(x_12), cos(x_12));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(387276957u, 2644177943u, 3447547657u)));
     float way_4 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_7 = Brushstroke(vec2(0.5), turn_12, way_4, 0.0);
@@ -910,8 +916,8 @@ Brushstroke brush_stroke_6_(vec2 p_5, ivec2 cell_7, int zoom_5, float drawn_5, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(4055616968u, 794710872u, 362115496u)));
     vec3 chance_6 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_5 = (p_5 - ((vec2(cell_7) + vec2(0.5)) + (style_13.scatter * (chance_6.xy - vec2(0.5)))));
-    float x_12 = (style_13.turn * (chance_6.z - 0.5));
-    vec2 turn_13 = vec2(sin(x_12), cos(x_12));
+    float x_13 = (style_13.turn * (chance_6.z - 0.5));
+    vec2 turn_13 = vec2(sin(x_13), cos(x_13));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
     float way_5 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_8 = Brushstroke(vec2(0.5), turn_13, way_5, 0.0);

@@ -204,6 +204,12 @@ float log2_stable(float x_2)
     return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
+float2 sin_cos_eighth(float x_3)
+{
+    float s = (x_3 * 0.9088517);
+    return float2(s, 0.73168886);
+}
+
 float3 normalize_moderate(float3 v_2, float3 otherwise_1)
 {
     float square_1 = dot(v_2, v_2);
@@ -216,12 +222,12 @@ float3 normalize_seen(float3 v_3)
     return _e5;
 }
 
-float bounded(float x_3)
+float bounded(float x_4)
 {
-    uint bits_1 = asuint(x_3);
+    uint bits_1 = asuint(x_4);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_4)
@@ -258,19 +264,19 @@ float4 mixed_vec4_(float4 a, float4 b, float t)
     return _e14;
 }
 
-float place_between(float x_4, float low, float high)
+float place_between(float x_5, float low, float high)
 {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_4 >= high) ? 1.0 : 0.0);
+        return ((x_5 >= high) ? 1.0 : 0.0);
     }
-    const float _e13 = bounded(((x_4 - low) / span));
+    const float _e13 = bounded(((x_5 - low) / span));
     return _e13;
 }
 
-float eased(float x_5, float low_1, float high_1)
+float eased(float x_6, float low_1, float high_1)
 {
-    const float _e3 = place_between(x_5, low_1, high_1);
+    const float _e3 = place_between(x_6, low_1, high_1);
     float t_1 = clamp(_e3, 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
@@ -396,7 +402,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    float2 turn_6 = float2(sin(angle), cos(angle));
+    float2 turn_6 = float2(0.0, 1.0);
     const float3 _e12 = bounded_vec3_(((turn_6.y * along) + (turn_6.x * across)));
     const float3 _e18 = bounded_vec3_(((turn_6.y * across) - (turn_6.x * along)));
     float2 turned = float2(((turn_6.y * place.x) + (turn_6.x * place.y)), ((turn_6.y * place.y) - (turn_6.x * place.x)));
@@ -408,14 +414,15 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
 
 StretchedPlace mark_place_of_2_(float2 place_1, float3 along_1, float3 across_1, float angle_1)
 {
-    float2 turn_7 = float2(sin(angle_1), cos(angle_1));
-    float3 x_6 = ((turn_7.y * along_1) + (turn_7.x * across_1));
+    const float2 _e5 = sin_cos_eighth(0.75);
+    float2 turn_7 = clamp(_e5, (-1.0).xx, (1.0).xx);
+    float3 x_7 = ((turn_7.y * along_1) + (turn_7.x * across_1));
     float3 y = ((turn_7.y * across_1) - (turn_7.x * along_1));
-    const float2 _e17 = bounded_vec2_(place_1);
-    float2 turned_1 = float2(((turn_7.y * _e17.x) + (turn_7.x * _e17.y)), ((turn_7.y * _e17.y) - (turn_7.x * _e17.x)));
-    float3 stretch_13 = float3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    const float2 _e37 = bounded_vec2_(turned_1);
-    const StretchedPlace stretchedplace_1 = ConstructStretchedPlace(_e37, stretch_13);
+    const float2 _e21 = bounded_vec2_(place_1);
+    float2 turned_1 = float2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
+    float3 stretch_13 = float3(dot(x_7, x_7), dot(x_7, y), dot(y, y));
+    const float2 _e41 = bounded_vec2_(turned_1);
+    const StretchedPlace stretchedplace_1 = ConstructStretchedPlace(_e41, stretch_13);
     return stretchedplace_1;
 }
 
@@ -462,8 +469,8 @@ SpacedPlace spaced(float2 place_3, float3 stretch, float2 viewport_1, float coun
     float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
     float2 p_6 = clamp((place_3 * scale_2), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch);
-    float3 s = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_6, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
+    float3 s_1 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_6, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
     return spacedplace;
 }
 
@@ -473,8 +480,8 @@ SpacedPlace spaced_2_(float2 place_4, float3 stretch_1, float2 viewport_2, float
     float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
     float2 p_7 = clamp((place_4 * scale_3), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch_1);
-    float3 s_1 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_7, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : s_1));
+    float3 s_2 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_7, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : s_2));
     return spacedplace_1;
 }
 
@@ -506,8 +513,8 @@ SpacedPlace spaced_5_(float2 place_7, float3 stretch_4, float2 viewport_5, float
     float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
     float2 p_10 = clamp((place_7 * scale_6), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch_4);
-    float3 s_2 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace_4 = ConstructSpacedPlace(p_10, (is_pixel_4 ? float3(1.0, 0.0, 1.0) : s_2));
+    float3 s_3 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace_4 = ConstructSpacedPlace(p_10, (is_pixel_4 ? float3(1.0, 0.0, 1.0) : s_3));
     return spacedplace_4;
 }
 
@@ -537,8 +544,8 @@ Brushstroke brush_stroke(float2 p, int2 cell_2, int zoom, float drawn, Brush sty
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_2, zoom)) + uint3(2654435769u, 2246822507u, 3266489909u)));
     float3 chance = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset = (p - ((float2(cell_2) + (0.5).xx) + (style_1.scatter * (chance.xy - (0.5).xx))));
-    float x_7 = (0.5 * (chance.z - 0.5));
-    float2 turn_8 = float2(sin(x_7), cos(x_7));
+    float x_8 = (0.5 * (chance.z - 0.5));
+    float2 turn_8 = float2(sin(x_8), cos(x_8));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_2, zoom)) + uint3(1013904242u, 198677718u, 2238012522u)));
     float way = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_3 = ConstructBrushstroke((0.5).xx, turn_8, way, 0.0);
@@ -694,8 +701,8 @@ Brushstroke brush_stroke_2_(float2 p_1, int2 cell_3, int zoom_1, float drawn_1, 
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_3, zoom_1)) + uint3(3041712726u, 596033154u, 2419070270u)));
     float3 chance_2 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset_1 = (p_1 - ((float2(cell_3) + (0.5).xx) + (style_4.scatter * (chance_2.xy - (0.5).xx))));
-    float x_8 = (0.5 * (chance_2.z - 0.5));
-    float2 turn_9 = float2(sin(x_8), cos(x_8));
+    float x_9 = (0.5 * (chance_2.z - 0.5));
+    float2 turn_9 = float2(sin(x_9), cos(x_9));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_3, zoom_1)) + uint3(1401181199u, 2842855661u, 1390592883u)));
     float way_1 = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_4 = ConstructBrushstroke((0.5).xx, turn_9, way_1, 0.0);
@@ -797,8 +804,8 @@ Brushstroke brush_stroke_3_(float2 p_2, int2 cell_4, int zoom_2, float drawn_2, 
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_4, zoom_2)) + uint3(1013904242u, 198677718u, 2238012522u)));
     float3 chance_3 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset_2 = (p_2 - ((float2(cell_4) + (0.5).xx) + (style_6.scatter * (chance_3.xy - (0.5).xx))));
-    float x_9 = (0.5 * (chance_3.z - 0.5));
-    float2 turn_10 = float2(sin(x_9), cos(x_9));
+    float x_10 = (0.5 * (chance_3.z - 0.5));
+    float2 turn_10 = float2(sin(x_10), cos(x_10));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_4, zoom_2)) + uint3(3668340011u, 2445500225u, 1209535135u)));
     float way_2 = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_5 = ConstructBrushstroke((0.5).xx, turn_10, way_2, 0.0);
@@ -906,8 +913,8 @@ Brushstroke brush_stroke_4_(float2 p_3, int2 cell_5, int zoom_3, float drawn_3, 
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_5, zoom_3)) + uint3(3668340011u, 2445500225u, 1209535135u)));
     float3 chance_4 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset_3 = (p_3 - ((float2(cell_5) + (0.5).xx) + (style_9.scatter * (chance_4.xy - (0.5).xx))));
-    float x_10 = (0.5 * (chance_4.z - 0.5));
-    float2 turn_11 = float2(sin(x_10), cos(x_10));
+    float x_11 = (0.5 * (chance_4.z - 0.5));
+    float2 turn_11 = float2(sin(x_11), cos(x_11));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_5, zoom_3)) + uint3(2027808484u, 397355436u, 181057748u)));
     float way_3 = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_6 = ConstructBrushstroke((0.5).xx, turn_11, way_3, 0.0);
@@ -1009,8 +1016,8 @@ Brushstroke brush_stroke_5_(float2 p_4, int2 cell_6, int zoom_4, float drawn_4, 
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_6, zoom_4)) + uint3(2027808484u, 397355436u, 181057748u)));
     float3 chance_5 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset_4 = (p_4 - ((float2(cell_6) + (0.5).xx) + (style_11.scatter * (chance_5.xy - (0.5).xx))));
-    float x_11 = (style_11.turn * (chance_5.z - 0.5));
-    float2 turn_12 = float2(sin(x_11), cos(x_11));
+    float x_12 = (style_11.turn * (chance_5.z - 0.5));
+    float2 turn_12 = float2(sin(x_12), cos(x_12));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_6, zoom_4)) + uint3(387276957u, 2644177943u, 3447547657u)));
     float way_4 = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_7 = ConstructBrushstroke((0.5).xx, turn_12, way_4, 0.0);
@@ -1112,8 +1119,8 @@ Brushstroke brush_stroke_6_(float2 p_5, int2 cell_7, int zoom_5, float drawn_5, 
     const uint3 _e12 = hash_pcg3d((asuint(int3(cell_7, zoom_5)) + uint3(4055616968u, 794710872u, 362115496u)));
     float3 chance_6 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
     float2 offset_5 = (p_5 - ((float2(cell_7) + (0.5).xx) + (style_13.scatter * (chance_6.xy - (0.5).xx))));
-    float x_12 = (style_13.turn * (chance_6.z - 0.5));
-    float2 turn_13 = float2(sin(x_12), cos(x_12));
+    float x_13 = (style_13.turn * (chance_6.z - 0.5));
+    float2 turn_13 = float2(sin(x_13), cos(x_13));
     const uint3 _e46 = hash_pcg3d((asuint(int3(cell_7, zoom_5)) + uint3(2415085441u, 3041533379u, 3628605405u)));
     float way_5 = (((float3((_e46 >> (8u).xxx)) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_8 = ConstructBrushstroke((0.5).xx, turn_13, way_5, 0.0);

@@ -162,6 +162,13 @@ float log2_stable(
     return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
+metal::float2 sin_cos_eighth(
+    float x_3
+) {
+    float s = x_3 * 0.9088517;
+    return metal::float2(s, 0.73168886);
+}
+
 metal::float3 normalize_moderate(
     metal::float3 v_2,
     metal::float3 otherwise_1
@@ -178,12 +185,12 @@ metal::float3 normalize_seen(
 }
 
 float bounded(
-    float x_3
+    float x_4
 ) {
-    uint bits_1 = as_type<uint>(x_3);
+    uint bits_1 = as_type<uint>(x_4);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float2 bounded_vec2_(
@@ -227,24 +234,24 @@ metal::float4 mixed_vec4_(
 }
 
 float place_between(
-    float x_4,
+    float x_5,
     float low,
     float high
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_4 >= high) ? 1.0 : 0.0;
+        return (x_5 >= high) ? 1.0 : 0.0;
     }
-    float _e13 = bounded((x_4 - low) / span);
+    float _e13 = bounded((x_5 - low) / span);
     return _e13;
 }
 
 float eased(
-    float x_5,
+    float x_6,
     float low_1,
     float high_1
 ) {
-    float _e3 = place_between(x_5, low_1, high_1);
+    float _e3 = place_between(x_6, low_1, high_1);
     float t_1 = metal::clamp(_e3, 0.0, 1.0);
     return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
@@ -387,7 +394,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn_6 = metal::float2(metal::sin(angle), metal::cos(angle));
+    metal::float2 turn_6 = metal::float2(0.0, 1.0);
     metal::float3 _e12 = bounded_vec3_((turn_6.y * along) + (turn_6.x * across));
     metal::float3 _e18 = bounded_vec3_((turn_6.y * across) - (turn_6.x * along));
     metal::float2 turned = metal::float2((turn_6.y * place.x) + (turn_6.x * place.y), (turn_6.y * place.y) - (turn_6.x * place.x));
@@ -402,14 +409,15 @@ StretchedPlace mark_place_of_2_(
     metal::float3 across_1,
     float angle_1
 ) {
-    metal::float2 turn_7 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
-    metal::float3 x_6 = (turn_7.y * along_1) + (turn_7.x * across_1);
+    metal::float2 _e5 = sin_cos_eighth(0.75);
+    metal::float2 turn_7 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
+    metal::float3 x_7 = (turn_7.y * along_1) + (turn_7.x * across_1);
     metal::float3 y = (turn_7.y * across_1) - (turn_7.x * along_1);
-    metal::float2 _e17 = bounded_vec2_(place_1);
-    metal::float2 turned_1 = metal::float2((turn_7.y * _e17.x) + (turn_7.x * _e17.y), (turn_7.y * _e17.y) - (turn_7.x * _e17.x));
-    metal::float3 stretch_13 = metal::float3(metal::dot(x_6, x_6), metal::dot(x_6, y), metal::dot(y, y));
-    metal::float2 _e37 = bounded_vec2_(turned_1);
-    return StretchedPlace {_e37, {}, stretch_13};
+    metal::float2 _e21 = bounded_vec2_(place_1);
+    metal::float2 turned_1 = metal::float2((turn_7.y * _e21.x) + (turn_7.x * _e21.y), (turn_7.y * _e21.y) - (turn_7.x * _e21.x));
+    metal::float3 stretch_13 = metal::float3(metal::dot(x_7, x_7), metal::dot(x_7, y), metal::dot(y, y));
+    metal::float2 _e41 = bounded_vec2_(turned_1);
+    return StretchedPlace {_e41, {}, stretch_13};
 }
 
 metal::float3 gradient_on_picture(
@@ -467,8 +475,8 @@ SpacedPlace spaced(
     float scale_2 = is_pixel ? (14.0 / metal::max(viewport_1.y, 1.0)) : 14.0;
     metal::float2 p_6 = metal::clamp(place_3 * scale_2, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch);
-    metal::float3 s = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
+    metal::float3 s_1 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 SpacedPlace spaced_2_(
@@ -481,8 +489,8 @@ SpacedPlace spaced_2_(
     float scale_3 = is_pixel_1 ? (18.0 / metal::max(viewport_2.y, 1.0)) : 18.0;
     metal::float2 p_7 = metal::clamp(place_4 * scale_3, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_1);
-    metal::float3 s_1 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_2};
 }
 
 SpacedPlace spaced_3_(
@@ -523,8 +531,8 @@ SpacedPlace spaced_5_(
     float scale_6 = is_pixel_4 ? (44.0 / metal::max(viewport_5.y, 1.0)) : 44.0;
     metal::float2 p_10 = metal::clamp(place_7 * scale_6, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_4);
-    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_2};
+    metal::float3 s_3 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_3};
 }
 
 float area_square(
@@ -553,8 +561,8 @@ Brushstroke brush_stroke(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_2, zoom)) + metal::uint3(2654435769u, 2246822507u, 3266489909u));
     metal::float3 chance = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset = p - ((static_cast<metal::float2>(cell_2) + metal::float2(0.5)) + (style_1.scatter * (chance.xy - metal::float2(0.5))));
-    float x_7 = 0.5 * (chance.z - 0.5);
-    metal::float2 turn_8 = metal::float2(metal::sin(x_7), metal::cos(x_7));
+    float x_8 = 0.5 * (chance.z - 0.5);
+    metal::float2 turn_8 = metal::float2(metal::sin(x_8), metal::cos(x_8));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_2, zoom)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
     float way = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_3 = Brushstroke {metal::float2(0.5), turn_8, way, 0.0};
@@ -724,8 +732,8 @@ Brushstroke brush_stroke_2_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_3, zoom_1)) + metal::uint3(3041712726u, 596033154u, 2419070270u));
     metal::float3 chance_2 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_1 = p_1 - ((static_cast<metal::float2>(cell_3) + metal::float2(0.5)) + (style_4.scatter * (chance_2.xy - metal::float2(0.5))));
-    float x_8 = 0.5 * (chance_2.z - 0.5);
-    metal::float2 turn_9 = metal::float2(metal::sin(x_8), metal::cos(x_8));
+    float x_9 = 0.5 * (chance_2.z - 0.5);
+    metal::float2 turn_9 = metal::float2(metal::sin(x_9), metal::cos(x_9));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_3, zoom_1)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
     float way_1 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_4 = Brushstroke {metal::float2(0.5), turn_9, way_1, 0.0};
@@ -833,8 +841,8 @@ Brushstroke brush_stroke_3_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_4, zoom_2)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
     metal::float3 chance_3 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_2 = p_2 - ((static_cast<metal::float2>(cell_4) + metal::float2(0.5)) + (style_6.scatter * (chance_3.xy - metal::float2(0.5))));
-    float x_9 = 0.5 * (chance_3.z - 0.5);
-    metal::float2 turn_10 = metal::float2(metal::sin(x_9), metal::cos(x_9));
+    float x_10 = 0.5 * (chance_3.z - 0.5);
+    metal::float2 turn_10 = metal::float2(metal::sin(x_10), metal::cos(x_10));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_4, zoom_2)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
     float way_2 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_5 = Brushstroke {metal::float2(0.5), turn_10, way_2, 0.0};
@@ -951,8 +959,8 @@ Brushstroke brush_stroke_4_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_5, zoom_3)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
     metal::float3 chance_4 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_3 = p_3 - ((static_cast<metal::float2>(cell_5) + metal::float2(0.5)) + (style_9.scatter * (chance_4.xy - metal::float2(0.5))));
-    float x_10 = 0.5 * (chance_4.z - 0.5);
-    metal::float2 turn_11 = metal::float2(metal::sin(x_10), metal::cos(x_10));
+    float x_11 = 0.5 * (chance_4.z - 0.5);
+    metal::float2 turn_11 = metal::float2(metal::sin(x_11), metal::cos(x_11));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_5, zoom_3)) + metal::uint3(2027808484u, 397355436u, 181057748u));
     float way_3 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_6 = Brushstroke {metal::float2(0.5), turn_11, way_3, 0.0};
@@ -1060,8 +1068,8 @@ Brushstroke brush_stroke_5_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_6, zoom_4)) + metal::uint3(2027808484u, 397355436u, 181057748u));
     metal::float3 chance_5 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_4 = p_4 - ((static_cast<metal::float2>(cell_6) + metal::float2(0.5)) + (style_11.scatter * (chance_5.xy - metal::float2(0.5))));
-    float x_11 = style_11.turn * (chance_5.z - 0.5);
-    metal::float2 turn_12 = metal::float2(metal::sin(x_11), metal::cos(x_11));
+    float x_12 = style_11.turn * (chance_5.z - 0.5);
+    metal::float2 turn_12 = metal::float2(metal::sin(x_12), metal::cos(x_12));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_6, zoom_4)) + metal::uint3(387276957u, 2644177943u, 3447547657u));
     float way_4 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_7 = Brushstroke {metal::float2(0.5), turn_12, way_4, 0.0};
@@ -1169,8 +1177,8 @@ Brushstroke brush_stroke_6_(
     metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_7, zoom_5)) + metal::uint3(4055616968u, 794710872u, 362115496u));
     metal::float3 chance_6 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
     metal::float2 offset_5 = p_5 - ((static_cast<metal::float2>(cell_7) + metal::float2(0.5)) + (style_13.scatter * (chance_6.xy - metal::float2(0.5))));
-    float x_12 = style_13.turn * (chance_6.z - 0.5);
-    metal::float2 turn_13 = metal::float2(metal::sin(x_12), metal::cos(x_12));
+    float x_13 = style_13.turn * (chance_6.z - 0.5);
+    metal::float2 turn_13 = metal::float2(metal::sin(x_13), metal::cos(x_13));
     metal::uint3 _e46 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell_7, zoom_5)) + metal::uint3(2415085441u, 3041533379u, 3628605405u));
     float way_5 = ((static_cast<metal::float3>(_e46 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
     Brushstroke stroke_8 = Brushstroke {metal::float2(0.5), turn_13, way_5, 0.0};

@@ -126,6 +126,16 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth(x: f32) -> vec2f {
+    let s = x * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333 + 0.5625
+        * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
+    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666666666666664 + 0.5625
+        * (0.00138888888888888889 + 0.5625 * (-2.48015873015873e-5 + 0.5625
+        * 2.75573192239858907e-7))));
+    return vec2f(s, c);
+}
+
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -368,7 +378,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = vec2f(sin(angle), cos(angle));
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = bounded_vec3(turn.y * along + turn.x * across);
     let y = bounded_vec3(turn.y * across - turn.x * along);
     let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
@@ -380,7 +390,7 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of_2(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = vec2f(sin(angle), cos(angle));
+    let turn = clamp(sin_cos_eighth(0.75), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);

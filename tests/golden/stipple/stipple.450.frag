@@ -81,8 +81,14 @@ float log2_stable(float x_1) {
     return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+}
+
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(float x_2) {
@@ -92,20 +98,20 @@ float bounded(float x_2) {
     return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_1) {
-    uvec2 bits_2 = floatBitsToUint(v_1);
+vec2 bounded_vec2_(vec2 v_2) {
+    uvec2 bits_2 = floatBitsToUint(v_2);
     uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
     vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_1, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_2) {
-    uvec3 bits_3 = floatBitsToUint(v_2);
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_3 = floatBitsToUint(v_3);
     uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
     vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_2, lessThan(magnitude_2, uvec3(2139095040u)));
+    return mix(numbers_1, v_3, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
 float eased(float x_3, float low, float high) {
@@ -116,36 +122,36 @@ float eased(float x_3, float low, float high) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_3 = uvec3(0u);
-    v_3 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_3;
-    uvec3 _e32 = v_3;
-    v_3 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_3;
+    uvec3 v_4 = uvec3(0u);
+    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_4;
+    uvec3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_4;
     return _e61;
 }
 
@@ -170,10 +176,10 @@ float disk_filtered(float d, float r, float w) {
     if ((w < 1e-30)) {
         return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square = (r * r);
+    float square_1 = (r * r);
     float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float inner = sqrt((max(square_1, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square_1 / least), 1.0));
 }
 
 uint blue_index(ivec2 cell) {
@@ -182,7 +188,7 @@ uint blue_index(ivec2 cell) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn = vec2(sin(angle), cos(angle));
+    vec2 turn = vec2(0.0, 1.0);
     vec3 x_4 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
@@ -209,8 +215,8 @@ float area_square(vec3 stretch_1) {
 float picture_square(vec2 offset, vec3 stretch_2) {
     float _e2 = area_square(stretch_2);
     float area = max(_e2, 1e-30);
-    float square_1 = ((((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y));
-    return (max(square_1, 0.0) / area);
+    float square_2 = ((((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y));
+    return (max(square_2, 0.0) / area);
 }
 
 float dots_of_octave(vec2 place_2, int zoom, float ink, vec3 stretch_3, float w_1, Dots style) {
@@ -315,7 +321,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
+    vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
     surface.normal = normal;
     vec4 _e11 = u_view.eye;

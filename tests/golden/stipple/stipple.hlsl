@@ -137,9 +137,16 @@ float log2_stable(float x_1)
     return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float3 normalize_seen_balanced(float3 v)
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_1)
+{
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(float x_2)
@@ -150,22 +157,22 @@ float bounded(float x_2)
     return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_1)
+float2 bounded_vec2_(float2 v_2)
 {
-    uint2 bits_2 = asuint(v_1);
+    uint2 bits_2 = asuint(v_2);
     uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
     float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_1 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_2)
+float3 bounded_vec3_(float3 v_3)
 {
-    uint3 bits_3 = asuint(v_2);
+    uint3 bits_3 = asuint(v_3);
     uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
     float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_2 : numbers_1);
+    return ((magnitude_2 < (2139095040u).xxx) ? v_3 : numbers_1);
 }
 
 float eased(float x_3, float low, float high)
@@ -178,37 +185,37 @@ float eased(float x_3, float low, float high)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_3 = (uint3)0;
+    uint3 v_4 = (uint3)0;
 
-    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_3;
-    uint3 _e32 = v_3;
-    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_3;
+    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_4;
+    uint3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -237,10 +244,10 @@ float disk_filtered(float d, float r, float w)
     if ((w < 1e-30)) {
         return (((d <= r) & (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square = (r * r);
+    float square_1 = (r * r);
     float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float inner = sqrt((max(square_1, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square_1 / least), 1.0));
 }
 
 uint blue_index(int2 cell)
@@ -258,7 +265,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    float2 turn = float2(sin(angle), cos(angle));
+    float2 turn = float2(0.0, 1.0);
     float3 x_4 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
@@ -297,8 +304,8 @@ float picture_square(float2 offset, float3 stretch_2)
 {
     const float _e2 = area_square(stretch_2);
     float area = max(_e2, 1e-30);
-    float square_1 = ((((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y));
-    return (max(square_1, 0.0) / area);
+    float square_2 = ((((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y));
+    return (max(square_2, 0.0) / area);
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -460,7 +467,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
+    const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_2;
     float4 _e11 = view.eye;

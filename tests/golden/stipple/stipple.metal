@@ -99,10 +99,19 @@ float log2_stable(
     return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
-metal::float3 normalize_seen_balanced(
-    metal::float3 v
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(
@@ -115,23 +124,23 @@ float bounded(
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_1
+    metal::float2 v_2
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_1);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
     metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
     metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_1, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_2
+    metal::float3 v_3
 ) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_2);
+    metal::uint3 bits_3 = as_type<metal::uint3>(v_3);
     metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
     metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_2, magnitude_2 < metal::uint3(2139095040u));
+    return metal::select(numbers_1, v_3, magnitude_2 < metal::uint3(2139095040u));
 }
 
 float eased(
@@ -148,36 +157,36 @@ float eased(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_3 = {};
-    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_3;
-    metal::uint3 _e32 = v_3;
-    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_3;
+    metal::uint3 v_4 = {};
+    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_4;
+    metal::uint3 _e32 = v_4;
+    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -217,10 +226,10 @@ float disk_filtered(
     if (w < 0.000000000000000000000000000001) {
         return ((d <= r) & (r > 0.0)) ? 1.0 : 0.0;
     }
-    float square = r * r;
+    float square_1 = r * r;
     float least = (w * w) / 3.0;
-    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
+    float inner = metal::sqrt(metal::max(square_1, least) - (0.25 * least));
+    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square_1 / least, 1.0);
 }
 
 uint blue_index(
@@ -236,7 +245,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
+    metal::float2 turn = metal::float2(0.0, 1.0);
     metal::float3 x_4 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
@@ -273,8 +282,8 @@ float picture_square(
 ) {
     float _e2 = area_square(stretch_2);
     float area = metal::max(_e2, 0.000000000000000000000000000001);
-    float square_1 = (((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y);
-    return metal::max(square_1, 0.0) / area;
+    float square_2 = (((stretch_2.z * offset.x) * offset.x) - (((2.0 * stretch_2.y) * offset.x) * offset.y)) + ((stretch_2.x * offset.y) * offset.y);
+    return metal::max(square_2, 0.0) / area;
 }
 
 metal::int2 naga_f2i32(metal::float2 value) {
@@ -456,7 +465,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
+    metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
     surface.normal = normal;
     metal::float4 _e11 = view.eye;

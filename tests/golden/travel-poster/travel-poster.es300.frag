@@ -81,13 +81,34 @@ float exp2_stable(float x) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float exp2_stable_2_(float x_1) {
+    float clamped = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped);
+    float f_1 = (clamped - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+}
+
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_3 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_3) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+}
+
+float log1p_negative_small(float y) {
+    float z_1 = (y / (2.0 - y));
+    float z2_1 = (z_1 * z_1);
+    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+}
+
+vec2 sin_cos_tiny(float x_3) {
+    float y_1 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
@@ -100,18 +121,6 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-vec2 sin_cos_quick(float x_2) {
-    float y_1 = (x_2 * x_2);
-    float s_1 = (x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return vec2(s_1, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -121,17 +130,17 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_1)) ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_3 = (u_2.half_sin - 0.0);
-    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_2.half_cos));
-    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
+    float s_2 = (u_2.half_sin - 0.0);
+    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_2.half_cos));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
@@ -142,34 +151,34 @@ float powered(float base, float exponent) {
     return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float stairs_integral(float x_4, float count) {
-    float inside = min(x_4, count);
+float stairs_integral(float x_5, float count) {
+    float inside = min(x_5, count);
     float stair = min(floor(inside), 6.0);
-    float beyond = max((x_4 - count), 0.0);
+    float beyond = max((x_5 - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0));
 }
 
-float stairs_integral_2_(float x_5, float count_1) {
-    float inside_1 = max(x_5, 0.0);
+float stairs_integral_2_(float x_6, float count_1) {
+    float inside_1 = max(x_6, 0.0);
     float stair_1 = floor(inside_1);
     return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
 }
 
-float stairs_filtered(float x_6, float count_2, float w) {
+float stairs_filtered(float x_7, float count_2, float w) {
     if ((w <= 1.0)) {
-        float edge = clamp(roundEven(x_6), 1.0, 6.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
+        float edge = clamp(roundEven(x_7), 1.0, 6.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x_7 - edge) / w)), 0.0, 1.0));
     }
     float half_1 = (0.5 * w);
-    float _e22 = stairs_integral((x_6 + half_1), count_2);
-    float _e24 = stairs_integral_2_((x_6 - half_1), count_2);
+    float _e22 = stairs_integral((x_7 + half_1), count_2);
+    float _e24 = stairs_integral_2_((x_7 - half_1), count_2);
     return ((_e22 - _e24) / (2.0 * half_1));
 }
 
@@ -204,22 +213,22 @@ vec3 oklab_of_linear(vec3 rgb) {
 vec3 oklab_of_linear_2_(vec3 rgb_1) {
     float l = pow(abs(dot(rgb_1, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
     float m = pow(abs(dot(rgb_1, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s_4 = pow(abs(dot(rgb_1, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s_4)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s_4)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s_4)));
+    float s_3 = pow(abs(dot(rgb_1, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s_3)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s_3)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s_3)));
 }
 
 vec3 oklab_of_linear_3_(vec3 rgb_2) {
     float l_1 = pow(dot(rgb_2, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m_1 = pow(dot(rgb_2, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s_5 = pow(dot(rgb_2, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l_1) + (0.7936178 * m_1)) - (0.004072047 * s_5)), (((1.9779985 * l_1) - (2.4285922 * m_1)) + (0.4505937 * s_5)), (((0.025904037 * l_1) + (0.78277177 * m_1)) - (0.80867577 * s_5)));
+    float s_4 = pow(dot(rgb_2, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return vec3((((0.21045426 * l_1) + (0.7936178 * m_1)) - (0.004072047 * s_4)), (((1.9779985 * l_1) - (2.4285922 * m_1)) + (0.4505937 * s_4)), (((0.025904037 * l_1) + (0.78277177 * m_1)) - (0.80867577 * s_4)));
 }
 
 vec3 linear_of_oklab(vec3 lab) {
     float l_2 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
     float m_2 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_6 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l_2 * l_2) * l_2), ((m_2 * m_2) * m_2), ((s_6 * s_6) * s_6));
+    float s_5 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l_2 * l_2) * l_2), ((m_2 * m_2) * m_2), ((s_5 * s_5) * s_5));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
@@ -304,70 +313,131 @@ Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
     return Angle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
 }
 
-float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
-}
-
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_1) {
-    vec2 place = vec2((u_3.half_sin - (u_3.half_cos * 0.0)), (u_3.half_cos + (u_3.half_sin * 0.0)));
-    float _e15 = profile_soft_quick(place.x, shape_1);
-    if ((w_1 < (0.1 * shape_1.edge_deviation))) {
-        return _e15;
+float profile_power(float q, float exponent_1) {
+    float log_base = 0.0;
+    if ((q >= 1.0)) {
+        return 0.0;
     }
-    float r = (0.19364917 * w_1);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e41 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
-    float _e49 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
-    return ((((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0);
-}
-
-float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_2) {
-    vec2 place_1 = vec2((u_4.half_sin - 0.0), u_4.half_cos);
-    float _e9 = profile_soft_quick(place_1.x, shape_2);
-    if ((w_2 < (0.1 * shape_2.edge_deviation))) {
-        return _e9;
+    if ((q < 0.5)) {
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
+    } else {
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e35 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_2);
-    float _e43 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_2);
-    return ((((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0);
+    float _e19 = log_base;
+    float _e21 = exp2_stable((exponent_1 * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_3) {
-    vec2 place_2 = vec2(((u_5.half_sin * shape_3.half_cos_offset) - (u_5.half_cos * shape_3.half_sin_offset)), ((u_5.half_cos * shape_3.half_cos_offset) + (u_5.half_sin * shape_3.half_sin_offset)));
-    float _e19 = profile_soft_quick(place_2.x, shape_3);
-    if ((w_3 < (0.1 * shape_3.edge_deviation))) {
-        return _e19;
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_6 = (u_3.half_sin - (u_3.half_cos * 0.0));
+    if (((s_6 <= 0.0) || false)) {
+        return 1.0;
     }
-    float r_2 = (0.19364917 * w_3);
-    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e45 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_3);
-    float _e53 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_3);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float q_2 = (s_6 * shape.scale);
+    float _e15 = profile_power(q_2, shape.exponent);
+    return _e15;
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift));
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_7 = (u_4.half_sin - 0.0);
+    if (((s_7 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_3 = (s_7 * shape_1.scale);
+    float _e13 = profile_power(q_3, shape_1.exponent);
+    return _e13;
+}
+
+float profile_power_2_(float q_1, float exponent_2) {
+    float log_base_1 = 0.0;
+    if ((q_1 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_1 < 0.5)) {
+        float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
+    } else {
+        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_((exponent_2 * _e19));
+    return min(_e21, 1.0);
+}
+
+float profile_point_3_(Angle u_5, ProfileShape shape_2) {
+    float s_8 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
+    if (((s_8 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_4 = (s_8 * shape_2.scale);
+    float _e17 = profile_power_2_(q_4, shape_2.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide = (w_1 < (0.1 * shape_3.edge_deviation));
+    if (((is_wide || (w_1 <= 0.0)) || false)) {
+        return _e3;
+    }
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
+    Angle _e16 = angle_turned(u_6, _e15);
+    float _e17 = profile_point(_e16, shape_3);
+    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_3);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_7, float w_2, ProfileShape shape_4) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_1 = (w_2 < (0.1 * shape_4.edge_deviation));
+    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
+        return _e3;
+    }
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
+    Angle _e16 = angle_turned(u_7, _e15);
+    float _e17 = profile_point_2_(_e16, shape_4);
+    Angle _e22 = angle_turned(u_7, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_4);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile_filtered_3_(Angle u_8, float w_3, ProfileShape shape_5) {
+    float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_2 = (w_3 < (0.1 * shape_5.edge_deviation));
+    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
+        return _e3;
+    }
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_3));
+    Angle _e16 = angle_turned(u_8, _e15);
+    float _e17 = profile_point_3_(_e16, shape_5);
+    Angle _e22 = angle_turned(u_8, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point_3_(_e22, shape_5);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_6) {
+    vec2 _e5 = sin_cos_tiny((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
+    float _e8 = profile_filtered(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
     Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
     return _e8;
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
     Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
     return _e8;
 }
 
@@ -379,20 +449,20 @@ vec4 shade(Surface surface_1) {
     vec3 _e32 = u_look.key.direction;
     Angle evening_sun_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
     float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
-    float _e45 = profile_balanced(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     Light _e48 = u_look.key;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
     vec4 evening_sun_blend = clamp(vec4((vec3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e70 = u_look.sky.direction;
     vec3 _e79 = u_look.sky.direction;
     Angle sky_angle = Angle((0.5 * length((surface_1.normal - _e70))), (0.5 * length((surface_1.normal + _e79))));
-    float _e87 = profile_balanced_2_(sky_angle, 0.0, sky_tone_shape);
+    float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
     Light _e90 = u_look.sky;
     LitLayer _e96 = light_apply(_e90, vec4(0.02, 0.24, 0.3, 1.0), _e87);
     vec4 sky_blend = clamp(vec4((evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     Light _e112 = u_look.key;
     Angle _e115 = parametrization_specular_balanced(_e112, surface_1.normal, surface_1.view);
-    float _e118 = profile_balanced_3_(_e115, 0.0, glow_tone_shape);
+    float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
     Light _e121 = u_look.key;
     LitLayer _e127 = light_apply(_e121, vec4(0.42, 0.38, 0.24, 1.0), _e118);
     vec4 glow_blend = clamp(vec4((sky_blend.xyz + (_e127.tone * _e127.color.xyz)), 1.0), vec4(0.0), vec4(1.0));

@@ -86,6 +86,17 @@ fn exp2_stable(x: f32) -> f32 {
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
 /// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 fn log2_stable(x: f32) -> f32 {
@@ -99,6 +110,22 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
+fn log1p_negative_small(y: f32) -> f32 {
+    let z = y / (2.0 - y);
+    let z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+}
+
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
+}
+
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -110,25 +137,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
-/// beside rounding), exact at 0.
-fn sin_cos_quick(x: f32) -> vec2f {
-    let y = x * x;
-    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425
-        + y * (-0.0001982274 + y * 2.6347564e-6))));
-    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
-        * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
-    return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -379,72 +387,143 @@ struct ProfileShape {
     kind: u32,
 }
 
-/// alpha of a soft profile where the half-sine from tau is s.
-fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return profile_power(q, shape.exponent);
 }
 
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
-    let point = profile_soft_quick(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin - 0.0;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_3(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_2(q, shape.exponent);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_2(exponent * log_base), 1.0);
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point(angle_turned(u, reach), shape);
+    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin - 0.0, u.half_cos);
-    let point = profile_soft_quick(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
-        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    let point = profile_soft_quick(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_3(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_3(angle_turned(u, reach), shape);
+    let after = profile_point_3(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick(warped, angle_footprint(warped), shape);
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
+    return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
+    return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
 const evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
@@ -458,15 +537,15 @@ fn shade(surface: Surface) -> vec4f {
     let evening_sun_color = curvature_color(evening_sun_convexity, vec4f(0.93, 0.62, 0.36, 1.0), vec4f(0.66, 0.24, 0.24, 1.0));
     let evening_sun_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
-    let evening_sun_tone = profile_balanced(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    let evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     let evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
     let evening_sun_blend = clamp(vec4f(vec4f(0.07, 0.1, 0.22, 1.0).xyz + evening_sun_lit.tone * evening_sun_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5 * length(surface.normal + look.sky.direction));
-    let sky_tone = profile_balanced_2(sky_angle, 0.0, sky_tone_shape);
+    let sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     let sky_lit = light_apply(look.sky, vec4f(0.02, 0.24, 0.3, 1.0), sky_tone);
     let sky_blend = clamp(vec4f(evening_sun_blend.xyz + sky_lit.tone * sky_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let glow_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    let glow_tone = profile_balanced_3(glow_angle, 0.0, glow_tone_shape);
+    let glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     let glow_lit = light_apply(look.key, vec4f(0.42, 0.38, 0.24, 1.0), glow_tone);
     let glow_blend = clamp(vec4f(sky_blend.xyz + glow_lit.tone * glow_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let seven_lightnesses = posterize_lightness(glow_blend, 7i, 0.02);

@@ -89,8 +89,14 @@ float log2_stable(float x) {
     return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
+}
+
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(float x_1) {
@@ -100,28 +106,28 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits_2 = floatBitsToUint(v_2);
+vec2 bounded_vec2_(vec2 v_3) {
+    uvec2 bits_2 = floatBitsToUint(v_3);
     uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
     vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_3 = floatBitsToUint(v_3);
+vec3 bounded_vec3_(vec3 v_4) {
+    uvec3 bits_3 = floatBitsToUint(v_4);
     uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
     vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_3, lessThan(magnitude_2, uvec3(2139095040u)));
+    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_4) {
-    uvec4 bits_4 = floatBitsToUint(v_4);
+vec4 bounded_vec4_(vec4 v_5) {
+    uvec4 bits_4 = floatBitsToUint(v_5);
     uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
     vec4 largest_3 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers_2 = mix(vec4(0.0), largest_3, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_4, lessThan(magnitude_3, uvec4(2139095040u)));
+    return mix(numbers_2, v_5, lessThan(magnitude_3, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -169,9 +175,9 @@ float footprint_of(float x_4) {
     return sqrt(dot(d_2, d_2));
 }
 
-float footprint_of_vec3_(vec3 v_5) {
-    vec3 dx = dFdx(v_5);
-    vec3 dy = dFdy(v_5);
+float footprint_of_vec3_(vec3 v_6) {
+    vec3 dx = dFdx(v_6);
+    vec3 dy = dFdy(v_6);
     float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -305,36 +311,36 @@ vec4 mix_colors_multiply_2_(vec4 a_7, vec4 b_6, float factor_2) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
+    uvec3 v_7 = uvec3(0u);
+    v_7 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_7;
+    uvec3 _e32 = v_7;
+    v_7 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_7;
     return _e61;
 }
 
@@ -532,7 +538,7 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn = vec2(sin(angle), cos(angle));
+    vec2 turn = vec2(0.0, 1.0);
     vec3 x_6 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
@@ -679,7 +685,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0));
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
+    vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
     vec4 _e11 = u_view.eye;

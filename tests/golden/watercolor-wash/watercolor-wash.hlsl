@@ -161,9 +161,16 @@ float log2_stable(float x)
     return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_2)
+{
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(float x_1)
@@ -174,31 +181,31 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_2)
+float2 bounded_vec2_(float2 v_3)
 {
-    uint2 bits_2 = asuint(v_2);
+    uint2 bits_2 = asuint(v_3);
     uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
     float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_3)
+float3 bounded_vec3_(float3 v_4)
 {
-    uint3 bits_3 = asuint(v_3);
+    uint3 bits_3 = asuint(v_4);
     uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
     float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_3 : numbers_1);
+    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
 }
 
-float4 bounded_vec4_(float4 v_4)
+float4 bounded_vec4_(float4 v_5)
 {
-    uint4 bits_4 = asuint(v_4);
+    uint4 bits_4 = asuint(v_5);
     uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
     float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
     float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_4 : numbers_2);
+    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
 }
 
 float divided(float a, float b)
@@ -253,10 +260,10 @@ float footprint_of(float x_4)
     return sqrt(dot(d_2, d_2));
 }
 
-float footprint_of_vec3_(float3 v_5)
+float footprint_of_vec3_(float3 v_6)
 {
-    float3 dx = ddx(v_5);
-    float3 dy = ddy(v_5);
+    float3 dx = ddx(v_6);
+    float3 dy = ddy(v_6);
     const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -410,37 +417,37 @@ float4 mix_colors_multiply_2_(float4 a_7, float4 b_6, float factor_2)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_6 = (uint3)0;
+    uint3 v_7 = (uint3)0;
 
-    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_6;
-    uint3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_6;
+    v_7 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_7;
+    uint3 _e32 = v_7;
+    v_7 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_7;
     return _e61;
 }
 
@@ -676,7 +683,7 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    float2 turn = float2(sin(angle), cos(angle));
+    float2 turn = float2(0.0, 1.0);
     float3 x_6 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
@@ -883,7 +890,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
+    const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_3;
     float4 _e11 = view_1.eye;

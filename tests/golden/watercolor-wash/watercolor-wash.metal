@@ -107,10 +107,19 @@ float log2_stable(
     return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
-metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(
@@ -123,33 +132,33 @@ float bounded(
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_2
+    metal::float2 v_3
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
     metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
     metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_3
+    metal::float3 v_4
 ) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_3);
+    metal::uint3 bits_3 = as_type<metal::uint3>(v_4);
     metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
     metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_3, magnitude_2 < metal::uint3(2139095040u));
+    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint3(2139095040u));
 }
 
 metal::float4 bounded_vec4_(
-    metal::float4 v_4
+    metal::float4 v_5
 ) {
-    metal::uint4 bits_4 = as_type<metal::uint4>(v_4);
+    metal::uint4 bits_4 = as_type<metal::uint4>(v_5);
     metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
     metal::float4 largest_3 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
     metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_3, magnitude_3 == metal::uint4(2139095040u));
-    return metal::select(numbers_2, v_4, magnitude_3 < metal::uint4(2139095040u));
+    return metal::select(numbers_2, v_5, magnitude_3 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -223,10 +232,10 @@ float footprint_of(
 }
 
 float footprint_of_vec3_(
-    metal::float3 v_5
+    metal::float3 v_6
 ) {
-    metal::float3 dx = metal::dfdx(v_5);
-    metal::float3 dy = metal::dfdy(v_5);
+    metal::float3 dx = metal::dfdx(v_6);
+    metal::float3 dy = metal::dfdy(v_6);
     float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
     return _e7;
 }
@@ -405,36 +414,36 @@ Color mix_colors_multiply_2_(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
+    metal::uint3 v_7 = {};
+    v_7 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_7;
+    metal::uint3 _e32 = v_7;
+    v_7 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_7;
     return _e61;
 }
 
@@ -692,7 +701,7 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
+    metal::float2 turn = metal::float2(0.0, 1.0);
     metal::float3 x_6 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
@@ -939,7 +948,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
+    metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
     metal::float4 _e11 = view_1.eye;

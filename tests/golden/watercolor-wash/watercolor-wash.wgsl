@@ -88,10 +88,17 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
-/// short.
-fn normalize_seen_balanced(v: vec3f) -> vec3f {
-    return v * inverseSqrt(max(dot(v, v), 1e-30));
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
@@ -441,7 +448,7 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = vec2f(sin(angle), cos(angle));
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);
@@ -621,7 +628,7 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_seen_balanced(in.normal);
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
