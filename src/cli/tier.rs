@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::compile::{TierReason, check};
 use crate::document::{Look, MAX_ERROR, Tier};
 use crate::library::Library;
-use chiaro_laboratory::accuracy::report::tier_word;
 
 /// Choice of `--tier`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +13,15 @@ pub(super) enum TierChoice {
     Automatic,
     /// One tier for every node.
     Every(Tier),
+}
+
+/// Word for a tier.
+pub(super) fn word(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => "exact",
+        Tier::Balanced => "balanced",
+        Tier::Fast => "fast",
+    }
 }
 
 /// Parses the word for a tier.
@@ -39,7 +47,7 @@ pub(super) fn told(look: &Look, library: &Library) -> Option<String> {
     let counts = [Tier::Balanced, Tier::Exact, Tier::Fast]
         .into_iter()
         .filter(|tier| count(*tier) > 0)
-        .map(|tier| format!("{} {}", count(tier), tier_word(Some(tier))));
+        .map(|tier| format!("{} {}", count(tier), word(tier)));
     let counts: Vec<String> = counts.collect();
     let name = if look.name.is_empty() { "the look" } else { &look.name };
     let bound = bound_text(look.max_error);

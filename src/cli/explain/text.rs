@@ -2,12 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::super::tier::bound_text;
+use super::super::tier;
 use super::report::{DecidingDriver, ExplainReport, LookReport, names};
 use crate::compile::TierReason;
 use crate::frame::{Effect, EffectCost, EffectKind, EffectState, TierCosts, TierOperations};
 use crate::library::Rate;
-use chiaro_laboratory::accuracy::report::tier_word;
 
 pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
@@ -104,7 +103,7 @@ fn tell_tiers(look: &LookReport) -> String {
     }
     let mut text = "\n  Tiers, with operations at each fragment\n".to_owned();
     if look.tiers.iter().any(|node| node.reason != TierReason::Named) {
-        let _ = writeln!(text, "    {}", bound_text(look.max_error));
+        let _ = writeln!(text, "    {}", tier::bound_text(look.max_error));
     }
     let (same, mut others): (Vec<&TierCosts>, Vec<&TierCosts>) =
         look.tiers.iter().partition(|node| node.operations.are_same());
@@ -133,7 +132,7 @@ fn tell_tiers(look: &LookReport) -> String {
             text,
             "    {:width$}  {:8}  {:>5}  {exact:>5}  {balanced:>8}  {fast:>5}{why}",
             node.node,
-            tier_word(Some(node.tier)),
+            tier::word(node.tier),
             node.operations.of(node.tier)
         );
     }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::super::tier;
 use super::entry::{NodeEntry, default_text, json_text, range_text};
-use crate::document::Tier;
 use crate::library::{Context, Conversion, Input, Rate, Type};
 
 const HEAD: &str = include_str!("head.md");
@@ -84,7 +84,7 @@ fn section(entry: &NodeEntry, samples: &Samples) -> String {
     }
     if entry.tiers.len() > 1 {
         let tiers: Vec<String> =
-            entry.tiers.iter().map(|tier| format!("`{}`", tier_word(*tier))).collect();
+            entry.tiers.iter().map(|tier| format!("`{}`", tier::word(*tier))).collect();
         let _ = writeln!(text, "\nTiers: {}.", tiers.join(", "));
     }
     if !entry.errors.is_empty() {
@@ -92,7 +92,7 @@ fn section(entry: &NodeEntry, samples: &Samples) -> String {
     }
     for error in &entry.errors {
         let help = if error.help.is_empty() { String::new() } else { format!(": {}", error.help) };
-        let _ = writeln!(text, "- `{}`: {:?}{help}.", tier_word(error.tier), error.bound);
+        let _ = writeln!(text, "- `{}`: {:?}{help}.", tier::word(error.tier), error.bound);
     }
     if !entry.sources.is_empty() {
         let _ = writeln!(text, "\nSource: {}.", entry.sources.join("; "));
@@ -116,14 +116,6 @@ fn pictures(entry: &NodeEntry, samples: &Samples) -> String {
     match samples.get(&entry.kind) {
         Some(serde_json::Value::Null) => format!("\n{node}\n"),
         _ => format!("\n{node} {}\n", picture("png", "A picture by")),
-    }
-}
-
-pub(super) fn tier_word(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Exact => "exact",
-        Tier::Balanced => "balanced",
-        Tier::Fast => "fast",
     }
 }
 

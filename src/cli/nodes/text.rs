@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::super::tier;
 use super::entry::{NodeEntry, default_text, json_text, range_text};
-use super::markdown::tier_word;
 use crate::library::Input;
 
 /// Table with one line a node, by category.
@@ -70,7 +70,7 @@ pub(super) fn whole(entry: &NodeEntry) -> String {
     if !entry.errors.is_empty() {
         text += "\nTiers, and how far from exact they are at most\n";
         for error in &entry.errors {
-            let _ = writeln!(text, "  {}  {:?}", tier_word(error.tier), error.bound);
+            let _ = writeln!(text, "  {}  {:?}", tier::word(error.tier), error.bound);
             if !error.help.is_empty() {
                 let _ = writeln!(text, "{}", wrapped(&error.help, "      "));
             }
