@@ -19,7 +19,7 @@ use super::flatten::{ParamId, TierReason};
 use super::host::conversion_program;
 use super::intervals;
 use super::value::typed_value;
-use crate::document::{ColorSpace, Look, MAX_ERROR, Target, Tier, Value};
+use crate::document::{ColorSpace, Look, MAX_ERROR, Target, Tier, Value, linear_to_srgb};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp::{self, Bindings, BoundProgram, LANES, Lanes, Precision, Program};
 use crate::library::{
@@ -330,8 +330,7 @@ impl<'g> ErrorTrial<'g> {
         let x = x.clamp(0.0, 1.0);
         match self.graph.color_space {
             ColorSpace::Display => x,
-            ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
-            ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
+            ColorSpace::Linear => linear_to_srgb(x),
         }
     }
 

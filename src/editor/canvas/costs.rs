@@ -1,7 +1,7 @@
 //! Costs of nodes, shown above them on request: operations at each fragment in the tier that a node
 //! has and in the others, and the share of the time that was measured.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use eframe::egui::{Align2, Context, FontId, Ui, vec2};
@@ -41,7 +41,8 @@ pub(super) struct Costs {
     is_shown: bool,
     worker: Option<Worker<Request, Answer>>,
     asked: Option<Version>,
-    known: Vec<TierCosts>,
+    /// By path, so that what a group holds stands together.
+    known: BTreeMap<String, TierCosts>,
     /// Share of the picture's time that each node takes, where that was measured.
     shares: HashMap<NodeId, f64>,
 }
@@ -72,7 +73,7 @@ impl Costs {
         for answer in self.worker.iter().flat_map(Worker::answers) {
             // The costs of a look with errors are those of the last one without.
             if let (true, Ok(costs)) = (answer.version.0 == version.0, answer.costs) {
-                self.known = costs;
+                self.known = costs.into_iter().map(|costs| (costs.node.clone(), costs)).collect();
             }
         }
         if self.asked == Some(version) || session.journals.held().is_some() {
@@ -107,11 +108,11 @@ impl Costs {
         let mut path: Vec<&str> = groups.iter().map(AsRef::as_ref).collect();
         path.push(node.as_ref());
         let path = path.join("/");
-        let is_of = |costs: &&TierCosts| {
-            let rest = costs.node.strip_prefix(&path);
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-        };
-        let parts: Vec<&TierCosts> = self.known.iter().filter(is_of).collect();
+        let inside = format!("{path}/");
+        let held = self.known.range(inside.clone()..);
+        let held = held.take_while(|(other, _)| other.starts_with(&inside));
+        let held = held.map(|(_, costs)| costs);
+        let parts: Vec<&TierCosts> = self.known.get(&path).into_iter().chain(held).collect();
         let own: u64 = parts.iter().map(|costs| costs.operations.of(costs.tier)).sum();
         if parts.iter().all(|costs| costs.operations == TierOperations::default()) {
             return None;
@@ -133,9 +134,12 @@ impl Costs {
 }
 
 impl Canvas {
-    /// Takes the measured share that each node of the look has in the picture's time.
-    pub(crate) fn set_shares(&mut self, shares: HashMap<NodeId, f64>) {
-        self.costs.shares = shares;
+    /// Takes the measured share that each node of the look has in the picture's time, which is
+    /// asked for while costs are shown.
+    pub(crate) fn take_shares(&mut self, shares: impl FnOnce() -> HashMap<NodeId, f64>) {
+        if self.costs.is_shown() {
+            self.costs.shares = shares();
+        }
     }
 
     /// Shows what each node in view costs, above the node.

@@ -11,7 +11,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelPlace { stack: Some(PanelStack::Graph), fills_room: true, ..PanelPlace::CLOSED },
     |bench, ui, context| {
         let rect = ui.max_rect();
-        bench.canvas.set_shares(bench.cost.shares());
+        bench.canvas.take_shares(|| bench.cost.shares());
         let mut commands = bench.canvas.show(ui, context.session);
         let dropped = library::dropped(ui, rect);
         commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
