@@ -7,9 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::editor_support::{User, node_center};
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
-use eframe::egui::{
-    Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, accesskit, pos2, vec2,
-};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use serde_json::json;
 
@@ -76,16 +74,6 @@ fn errors(hand: &User) -> Vec<String> {
 fn undoes_to(hand: &mut User, text: &str) {
     while hand.app_mut().session_mut().undo() {}
     assert_eq!(hand.look().to_text(), text);
-}
-
-/// The text copied to the clipboard in the last frame.
-fn copied(hand: &User) -> String {
-    let commands = &hand.harness.output().platform_output.commands;
-    let mut texts = commands.iter().filter_map(|command| match command {
-        OutputCommand::CopyText(text) => Some(text.clone()),
-        _ => None,
-    });
-    texts.next_back().unwrap_or_default()
 }
 
 fn drag_with(hand: &mut User, button: PointerButton, modifiers: Modifiers, path: &[Pos2]) {
@@ -475,7 +463,7 @@ fn nodes_are_copied_as_text_and_pasted_into_another_window() {
     select(&mut hand, &["sum", "half"]);
     hand.harness.event(Event::Copy);
     hand.harness.step();
-    let text = copied(&hand);
+    let text = hand.take_copied().unwrap_or_default();
     let part = Look::read(&text, "copied").value.expect("a look");
     assert_eq!((part.graph.nodes.len(), part.graph.wires.len()), (2, 1));
 

@@ -10,7 +10,7 @@ use crate::editor_support::User;
 use crate::editor_support::home::Home;
 use chiaro::document::{Edit, GraphId, Look};
 use chiaro::editor::App;
-use eframe::egui::{Key, Modifiers, OutputCommand};
+use eframe::egui::{Key, Modifiers};
 
 const MENU: [(&str, &str); 8] = [
     ("Export to all languages...", "all"),
@@ -199,21 +199,8 @@ fn copied(hand: &mut User, item: &str) -> Option<String> {
     hand.press("Copy as");
     let at = hand.place(item).center();
     hand.click(at);
-    for _ in 0..40 {
-        hand.app().wait();
-        let found =
-            hand.harness.output().platform_output.commands.iter().find_map(
-                |command| match command {
-                    OutputCommand::CopyText(text) => Some(text.clone()),
-                    _ => None,
-                },
-            );
-        if found.is_some() {
-            return found;
-        }
-        hand.harness.step();
-    }
-    None
+    hand.settle();
+    hand.take_copied()
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::editor_support::User;
 use chiaro::document::{Look, Value};
 use chiaro::editor::{App, Places};
-use eframe::egui::{Event, Key, Modifiers, OutputCommand, Pos2, Rect, Role, Theme, vec2};
+use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, Role, Theme, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// Temporary folders of one user: for the program's state and configuration, and for the user's
@@ -80,10 +80,7 @@ fn copied_by_keys(hand: &mut User) -> Option<String> {
         modifiers,
     });
     hand.harness.step();
-    hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
-        OutputCommand::CopyText(text) => Some(text.clone()),
-        _ => None,
-    })
+    hand.take_copied()
 }
 
 fn compiles(hand: &User) -> bool {

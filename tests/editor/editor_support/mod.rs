@@ -5,6 +5,8 @@ pub(crate) mod home;
 pub(crate) mod painting;
 mod verbs;
 
+use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::OnceLock;
 
 use chiaro::document::Look;
@@ -12,7 +14,8 @@ use chiaro::editor::App;
 use chiaro::render::Gpu;
 use chiaro_test_drawing::wait::block_on;
 use eframe::egui::{
-    self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2,
+    self, Event, Key, Modifiers, MouseWheelUnit, OutputCommand, PointerButton, Pos2, Rect, Vec2,
+    ViewportId, vec2,
 };
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -23,6 +26,8 @@ use egui_kittest::{Harness, HarnessBuilder};
 pub(crate) struct User {
     /// The window, and the queue of its input events.
     pub(crate) harness: Harness<'static, Option<App>>,
+    /// Text that the window copied last, in whichever frame it did.
+    clipboard: Rc<RefCell<Option<String>>>,
 }
 
 impl User {
@@ -69,11 +74,20 @@ impl User {
         builder: HarnessBuilder<Option<App>>,
         make: impl Fn(&egui::Context) -> App + 'static,
     ) -> Self {
+        let clipboard = Rc::<RefCell<Option<String>>>::default();
+        let copied = Rc::clone(&clipboard);
         let show = move |ui: &mut egui::Ui, app: &mut Option<App>| {
             app.get_or_insert_with(|| make(ui.ctx())).show(ui);
+            ui.ctx().output(|output| {
+                for command in &output.commands {
+                    if let OutputCommand::CopyText(text) = command {
+                        copied.replace(Some(text.clone()));
+                    }
+                }
+            });
         };
         let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
-        let mut hand = Self { harness: builder.build_ui_state(show, None) };
+        let mut hand = Self { harness: builder.build_ui_state(show, None), clipboard };
         hand.settle();
         hand
     }
@@ -84,6 +98,11 @@ impl User {
 
     pub(crate) fn app_mut(&mut self) -> &mut App {
         self.harness.state_mut().as_mut().expect("made in the first frame")
+    }
+
+    /// Text that was copied last, taken out of the clipboard.
+    pub(crate) fn take_copied(&self) -> Option<String> {
+        self.clipboard.take()
     }
 
     pub(crate) fn look(&self) -> &Look {
