@@ -59,6 +59,8 @@ pub struct TypedNode {
     pub path: NodePath,
     /// The artist's name of the node.
     pub name: String,
+    /// True if the artist gave the node a name of its own.
+    pub is_named: bool,
     /// The node's definition.
     pub def: Arc<NodeDef>,
     /// The tier that the document asks for, or that was chosen.
@@ -260,6 +262,7 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         tier_reason: flat.reason,
         path: flat.path.clone(),
         name: flat.name.clone(),
+        is_named: flat.is_named,
         def: flat.def.clone(),
         variant: 0,
         inputs: Vec::new(),
@@ -584,6 +587,7 @@ impl<'a> Typer<'a> {
         Some(TypedNode {
             path: flat.path.clone(),
             name: flat.name.clone(),
+            is_named: flat.is_named,
             def: flat.def.clone(),
             tier: flat.tier,
             tier_reason: flat.reason,

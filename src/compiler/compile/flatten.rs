@@ -93,6 +93,8 @@ pub(super) struct FlatNode {
     pub path: NodePath,
     /// The artist's name, with the names of the groups around the node.
     pub name: String,
+    /// True if the artist gave the node a name of its own.
+    pub is_named: bool,
     /// The node's definition.
     pub def: Arc<NodeDef>,
     /// Implementation that the document asks for, or that was chosen.
@@ -490,7 +492,9 @@ impl<'a> Flattener<'a> {
             },
         };
         let inputs = Vec::new();
-        self.flat.nodes.push(FlatNode { path, name, def, tier, reason, inputs, region });
+        let is_named = !node.name.is_empty();
+        let flat = FlatNode { path, name, is_named, def, tier, reason, inputs, region };
+        self.flat.nodes.push(flat);
         self.origins.push((scope, id, node));
         index
     }

@@ -94,7 +94,7 @@ pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<Strin
     let mut counted: BTreeMap<String, u64> =
         shader.spans.nodes().map(|path| (path.to_string(), 0)).collect();
     operations.for_each(module, |span, operations| {
-        if let Some(path) = shader.spans.node_at(span.start) {
+        if let Some(path) = shader.spans.node_of(&span) {
             *counted.entry(path.to_string()).or_default() += operations;
         }
     });

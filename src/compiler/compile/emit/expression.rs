@@ -21,6 +21,10 @@ impl Emitter<'_> {
                 None => self.literal(constant, &value.ty, value.node),
             },
             Operation::Context(context, _) => self.context_expression(*context),
+            Operation::Call { .. } if self.is_nested(id) => {
+                let names = self.collected.code_names(0, &[], &[]);
+                self.nested(id).wgsl(level::LOWEST, &names)
+            }
             Operation::Call { .. } => self.value_names.get(&id).cloned().unwrap_or_default(),
             Operation::Member { value, name, .. } => format!("{}.{name}", self.expression(*value)),
             Operation::Convert { template, value } => {
@@ -37,10 +41,10 @@ impl Emitter<'_> {
         }
     }
 
-    /// A call with its arguments, or the expression that it comes to.
-    pub(super) fn call(&self, id: ValueId) -> String {
+    /// A call with its arguments, or the expression that it comes to, and how strongly it binds.
+    pub(super) fn call(&self, id: ValueId) -> (String, u8) {
         let Operation::Call { function, arguments } = &self.special.values[id].operation else {
-            return String::new();
+            return (String::new(), level::ATOM);
         };
         let text = |argument: &Argument| match argument {
             Argument::Value(id) => self.expression(*id),
@@ -61,11 +65,12 @@ impl Emitter<'_> {
                     })
                     .collect();
                 let names = self.collected.code_names(module_key(&function.module), &[], &[]);
-                return code.with_arguments(&arguments).wgsl(level::LOWEST, &names);
+                let code = code.with_arguments(&arguments);
+                return (code.wgsl(level::LOWEST, &names), code.level());
             }
         };
         let arguments: Vec<String> = arguments.iter().map(text).collect();
-        format!("{name}({})", arguments.join(", "))
+        (format!("{name}({})", arguments.join(", ")), level::ATOM)
     }
 
     /// A value as a part of an expression: by its name, but for conversions that come to
@@ -77,6 +82,7 @@ impl Emitter<'_> {
             {
                 code.with_arguments(&[self.argument(*value)])
             }
+            (Operation::Call { .. }, _) if self.is_nested(id) => self.nested(id),
             _ => argument_text(&self.expression(id)),
         }
     }

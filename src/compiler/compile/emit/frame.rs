@@ -6,6 +6,7 @@ use super::attributes::{SurfaceVarying, VARYINGS, VertexAttribute};
 use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
+use crate::compile::functions::write_line;
 use crate::compile::intervals;
 use crate::document::{ColorSpace, Tier};
 use crate::library::{PassId, StageValue, Type};
@@ -265,15 +266,12 @@ impl Emitter<'_> {
             let _ = writeln!(out, "    @location({location}) {name}: {wgsl_type},");
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
-        out.push_str(
-            "    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: \
-             Varyings;\n",
-        );
-        out.push_str("    out.clip = view.clip_from_world * world;\n");
-        for SurfaceVarying { name, value, .. } in &varyings {
-            let _ = writeln!(out, "    out.{name} = {value};");
-        }
-        out.push_str("    return out;\n}\n");
+        out.push_str("    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n");
+        let values = varyings.iter().map(|varying| varying.value);
+        let values: Vec<&str> =
+            std::iter::once("view.clip_from_world * world").chain(values).collect();
+        write_line(&format!("return Varyings({});", values.join(", ")), 1, out);
+        out.push_str("}\n");
     }
 
     /// The varyings that the fragment reads.
@@ -316,22 +314,31 @@ impl Emitter<'_> {
             });
         }
         let arguments = if self.has_surface() {
-            self.out.push_str("    var surface: Surface;\n");
-            for index in 0..self.needs.contexts.len() {
-                let context = self.needs.contexts[index];
-                let mut value = expression(context, stage);
+            let values = self.needs.contexts.iter().map(|&context| {
+                let value = expression(context, stage);
                 let is_color = Type::from_wgsl(context.wgsl_type()) == Type::Color;
                 if is_color && self.graph.color_space == ColorSpace::Linear {
-                    value = format!("linear_from_display({value})");
+                    format!("linear_from_display({value})")
+                } else {
+                    value
                 }
-                let _ = writeln!(self.out, "    surface.{} = {value};", context.word());
-            }
+            });
+            let values: Vec<String> = values.collect();
+            let line = format!("let surface = Surface({});", values.join(", "));
+            write_line(&line, 1, &mut self.out);
             "surface"
         } else {
             ""
         };
-        let _ = writeln!(self.out, "    let shaded = shade({arguments});");
-        let value = if self.special.cutoff.is_some() {
+        let root = &self.special.values[self.special.root].ty;
+        let is_read_once = self.special.cutoff.is_none() && *root != Type::Light;
+        let call = format!("shade({arguments})");
+        if !is_read_once {
+            let _ = writeln!(self.out, "    let shaded = {call};");
+        }
+        let value = if is_read_once {
+            call.as_str()
+        } else if self.special.cutoff.is_some() {
             let cutoff = if self.options.cutout {
                 "max(shaded.cutoff, object.cutoff)"
             } else {

@@ -11,21 +11,23 @@
 mod attributes;
 mod expression;
 mod frame;
+mod nesting;
 mod parts;
 mod surface;
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 use std::ops::Range;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use super::CompileOptions;
 use super::check::TypedGraph;
-use super::functions::{CallForm, Code, SpecializedFunctions};
+use super::functions::{CallForm, Code, SpecializedFunctions, module_key};
 use super::host::{
     Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
 };
-use super::intervals::Ranges;
+use super::intervals::{self, Ranges};
 use super::items::{CollectedItems, Items};
 use super::names::Names;
 use super::removal::{Proof, Removal};
@@ -78,29 +80,52 @@ pub enum BindingKind {
 /// An index into [`Needs::images`].
 pub type ImageBinding = usize;
 
+/// Stretch of the source that came from a node.
+#[derive(Clone, Debug, PartialEq)]
+struct Span {
+    bytes: Range<usize>,
+    path: NodePath,
+    /// The number of stretches around this one.
+    depth: usize,
+}
+
 /// Map from the bytes of the source to the nodes that they came from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpanMap {
-    spans: Vec<(Range<usize>, NodePath)>,
+    /// By their starts; those around others before these.
+    spans: Vec<Span>,
 }
 
 impl SpanMap {
     /// The node that a byte came from.
     pub fn node_at(&self, offset: usize) -> Option<&NodePath> {
-        let after = self.spans.partition_point(|(span, _)| span.start <= offset);
-        let (span, path) = self.spans[..after].last()?;
-        span.contains(&offset).then_some(path)
+        self.node_of(&(offset..offset + 1))
+    }
+
+    /// The node that all of these bytes came from: the innermost of those that stand inside one
+    /// another.
+    pub fn node_of(&self, bytes: &Range<usize>) -> Option<&NodePath> {
+        let after = self.spans.partition_point(|span| span.bytes.start <= bytes.start);
+        for span in self.spans[..after].iter().rev() {
+            if span.bytes.start <= bytes.start && bytes.end <= span.bytes.end {
+                return Some(&span.path);
+            }
+            if span.depth == 0 {
+                break;
+            }
+        }
+        None
     }
 
     /// The nodes that any bytes came from, one for each stretch of bytes.
     pub fn nodes(&self) -> impl Iterator<Item = &NodePath> {
-        self.spans.iter().map(|(_, path)| path)
+        self.spans.iter().map(|span| &span.path)
     }
 
     /// The bytes that came from a node, or from the nodes inside a group.
     pub fn spans_of<'m>(&'m self, path: &'m NodePath) -> impl Iterator<Item = Range<usize>> + 'm {
         let is_of = move |found: &NodePath| found.ids().starts_with(path.ids());
-        self.spans.iter().filter(move |(_, found)| is_of(found)).map(|(span, _)| span.clone())
+        self.spans.iter().filter(move |span| is_of(&span.path)).map(|span| span.bytes.clone())
     }
 }
 
@@ -144,6 +169,15 @@ pub(super) fn emit(
     emitter.write()
 }
 
+/// An expression longer than this makes the line that it stands in too long.
+const LONG_EXPRESSION: usize = 70;
+
+/// From this many calls on, a long expression is a function.
+const WORTH_A_FUNCTION: usize = 3;
+
+/// Functions that differ by at most this many operations are one.
+const ALIKE: u64 = 2;
+
 struct Emitter<'a> {
     graph: &'a TypedGraph,
     special: &'a SpecializedGraph,
@@ -162,6 +196,8 @@ struct Emitter<'a> {
     value_names: HashMap<ValueId, String>,
     /// Struct constants: their names.
     constants: Vec<(ValueId, String)>,
+    /// By value: true for calls that stand inside the one that reads them.
+    nested: Vec<bool>,
     host: HostProgram,
     host_steps: HashMap<ValueId, usize>,
     collected: CollectedItems,
@@ -188,6 +224,7 @@ impl<'a> Emitter<'a> {
             shortened: BTreeMap::new(),
             value_names: HashMap::new(),
             constants: Vec::new(),
+            nested: Vec::new(),
             host: HostProgram::default(),
             host_steps: HashMap::new(),
             collected: CollectedItems::default(),
@@ -233,6 +270,7 @@ impl<'a> Emitter<'a> {
             let name = self.names.give(&name);
             self.value_names.insert(id, name);
         }
+        self.plan_nesting();
     }
 
     /// Depth first from the roots, so that what belongs together stands together; with a stack of
@@ -263,6 +301,11 @@ impl<'a> Emitter<'a> {
         for id in self.calls.clone() {
             self.specialize_call(id);
         }
+        self.share_long_expressions();
+        self.share_functions();
+        for id in self.calls.clone() {
+            self.want_call(id);
+        }
         let Some(built_in) = built_in else { return };
         for name in self.frame_functions() {
             self.items.want(&built_in, &name);
@@ -285,16 +328,9 @@ impl<'a> Emitter<'a> {
         let special = self.special;
         let Operation::Call { function, arguments } = &special.values[id].operation else { return };
         if self.options.unspecialized {
-            self.items.want_function(function);
             return;
         }
-        let ranges: Option<Vec<Ranges>> = arguments
-            .iter()
-            .map(|argument| match argument {
-                Argument::Value(id) => special.values[*id].ranges.clone(),
-                Argument::Image(_) | Argument::Sampler(_) => Some(Ranges::from([])),
-            })
-            .collect();
+        let ranges = self.argument_ranges(id);
         let tier = self.graph.nodes[special.values[id].node].tier;
         let mut form = ranges.map_or(CallForm::Original, |ranges| {
             self.functions.specialize(&function.module, &function.name, tier, &ranges)
@@ -307,13 +343,114 @@ impl<'a> Emitter<'a> {
             let is_refused =
                 code.with_arguments(&self.constant_arguments(arguments)).may_be_refused();
             if is_refused || arguments.iter().enumerate().any(is_repeated) {
-                form = if *is_changed {
-                    self.functions.function_of(&function.module, &function.name, code)
-                } else {
-                    CallForm::Original
-                };
+                form =
+                    self.functions.function_of(&function.module, &function.name, code, *is_changed);
             }
         }
+        self.specialized.insert(id, form);
+    }
+
+    /// Makes functions of expressions that several calls would repeat in lines that are too long.
+    fn share_long_expressions(&mut self) {
+        let mut calls: HashMap<(usize, &str, Rc<Code>), Vec<ValueId>> = HashMap::new();
+        for &id in &self.calls {
+            if let (Operation::Call { function, .. }, Some(CallForm::Expression(code, _))) =
+                (&self.special.values[id].operation, self.specialized.get(&id))
+                && code.length() > LONG_EXPRESSION
+            {
+                let key = (module_key(&function.module), &*function.name, code.clone());
+                calls.entry(key).or_default().push(id);
+            }
+        }
+        let mut repeated: Vec<Vec<ValueId>> =
+            calls.into_values().filter(|calls| calls.len() >= WORTH_A_FUNCTION).collect();
+        repeated.sort_unstable();
+        for id in repeated.into_iter().flatten() {
+            let Operation::Call { function, .. } = &self.special.values[id].operation else {
+                continue;
+            };
+            if let Some(CallForm::Expression(code, is_changed)) = self.specialized.get(&id) {
+                let (code, is_changed) = (code.clone(), *is_changed);
+                let (module, name) = (&function.module, &function.name);
+                let form = self.functions.function_of(module, name, &code, is_changed);
+                self.specialized.insert(id, form);
+            }
+        }
+    }
+
+    /// Calls one function where two would differ by an operation or two: by the one that more calls
+    /// are made of, where it stays as it is for the arguments of both.
+    fn share_functions(&mut self) {
+        let mut calls: BTreeMap<usize, Vec<ValueId>> = BTreeMap::new();
+        for &id in &self.calls {
+            if let Some(CallForm::Made(index)) = self.specialized.get(&id) {
+                calls.entry(*index).or_default().push(id);
+            }
+        }
+        let common: Vec<(usize, ValueId, usize)> =
+            calls.iter().map(|(&index, ids)| (index, ids[0], ids.len())).collect();
+        for &(index, first, count) in &common {
+            let Operation::Call { function, .. } = &self.special.values[first].operation else {
+                continue;
+            };
+            let others = common.iter().filter(|(other, call, of_other)| {
+                (*of_other, index) > (count, *other)
+                    && self.callee(first) == self.callee(*call)
+                    && self.functions.is_alike(&function.module, [index, *other], ALIKE)
+            });
+            let wider = others.map(|&(other, call, _)| (other, call)).collect::<Vec<_>>();
+            for id in calls[&index].clone() {
+                let found = wider.iter().find(|(other, call)| self.holds_both(*other, id, *call));
+                if let Some(&(other, _)) = found {
+                    self.specialized.insert(id, CallForm::Made(other));
+                }
+            }
+        }
+    }
+
+    /// The function that a call is made of, by its module's address and its name.
+    fn callee(&self, id: ValueId) -> Option<(usize, &str)> {
+        let Operation::Call { function, .. } = &self.special.values[id].operation else {
+            return None;
+        };
+        Some((module_key(&function.module), &*function.name))
+    }
+
+    /// True if what is written for the arguments of both calls is this function.
+    fn holds_both(&mut self, made: usize, a: ValueId, b: ValueId) -> bool {
+        let special = self.special;
+        let Operation::Call { function, .. } = &special.values[a].operation else { return false };
+        let tier = |id: ValueId| self.graph.nodes[special.values[id].node].tier;
+        let (Some(of_a), Some(of_b)) = (self.argument_ranges(a), self.argument_ranges(b)) else {
+            return false;
+        };
+        let joined: Option<Vec<Ranges>> =
+            of_a.iter().zip(&of_b).map(|(a, b)| intervals::join(a, b)).collect();
+        let (module, name) = (&function.module, &function.name);
+        tier(a) == tier(b)
+            && joined.is_some_and(|joined| {
+                let form = self.functions.specialize(module, name, tier(a), &joined);
+                matches!(form, CallForm::Made(index) if index == made)
+            })
+    }
+
+    /// The ranges of a call's arguments.
+    fn argument_ranges(&self, id: ValueId) -> Option<Vec<Ranges>> {
+        let Operation::Call { arguments, .. } = &self.special.values[id].operation else {
+            return None;
+        };
+        let ranges = arguments.iter().map(|argument| match argument {
+            Argument::Value(id) => self.special.values[*id].ranges.clone(),
+            Argument::Image(_) | Argument::Sampler(_) => Some(Ranges::from([])),
+        });
+        ranges.collect()
+    }
+
+    /// Wants what a call's form names.
+    fn want_call(&mut self, id: ValueId) {
+        let special = self.special;
+        let Operation::Call { function, .. } = &special.values[id].operation else { return };
+        let form = self.specialized.get(&id).cloned().unwrap_or(CallForm::Original);
         match &form {
             CallForm::Original => self.items.want_function(function),
             CallForm::Made(index) => self.items.want_made(&function.module, *index),
@@ -323,7 +460,6 @@ impl<'a> Emitter<'a> {
         let left = self.functions.operations(&function.module, &function.name, &form);
         let known = self.shortened.entry(special.values[id].node).or_default();
         *known = [known[0] + whole, known[1] + left.min(whole)];
-        self.specialized.insert(id, form);
     }
 
     /// Arguments as parts of an expression, as far as they are constants; others are parameters.
@@ -605,7 +741,7 @@ impl<'a> Emitter<'a> {
         self.spans.spans = body
             .spans
             .into_iter()
-            .map(|(span, path)| (span.start + offset..span.end + offset, path))
+            .map(|span| Span { bytes: span.bytes.start + offset..span.bytes.end + offset, ..span })
             .collect();
         EmittedModule {
             removed_within: self.removed_within(),

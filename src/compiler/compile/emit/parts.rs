@@ -9,7 +9,8 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::Emitter;
+use super::{Emitter, Span};
+use crate::compile::functions::{LINE, write_line};
 use crate::compile::specialize::{Operation, ValueId, operands};
 use crate::ids::NodePath;
 use crate::library::{Rate, Type};
@@ -28,7 +29,50 @@ const MOST_VALUES: usize = 64;
 #[derive(Debug, Default)]
 pub(super) struct Body {
     pub(super) text: String,
-    pub(super) spans: Vec<(Range<usize>, NodePath)>,
+    pub(super) spans: Vec<Span>,
+}
+
+impl Body {
+    /// Begins a stretch of text that comes from a node.
+    pub(super) fn add_span(&mut self, start: usize, path: NodePath, depth: usize) {
+        self.spans.push(Span { bytes: start..start, path, depth });
+    }
+
+    /// Ends a stretch where the text ends now.
+    pub(super) fn end_span(&mut self, index: usize) {
+        if let Some(span) = self.spans.get_mut(index) {
+            span.bytes.end = self.text.len();
+        }
+    }
+
+    /// Breaks the last line where it is too long; it has the stretches from this one on.
+    pub(super) fn break_line(&mut self, first_span: usize) {
+        let start = self.text.rfind('\n').map_or(0, |at| at + 1);
+        if self.text.len() - start <= LINE {
+            return;
+        }
+        let line = self.text.split_off(start);
+        let text = line.trim_start();
+        let mut broken = String::new();
+        write_line(text, (line.len() - text.len()) / 4, &mut broken);
+        let broken = broken.trim_end();
+        // A blank of the line became the end of one, and the next one's indentation.
+        let mut moved = Vec::with_capacity(line.len() + 1);
+        let mut to = 0;
+        for byte in line.bytes() {
+            moved.push(start + to);
+            to += 1;
+            if byte == b' ' && broken.as_bytes().get(to - 1) == Some(&b'\n') {
+                to += broken[to..].len() - broken[to..].trim_start().len();
+            }
+        }
+        moved.push(start + to);
+        self.text.push_str(broken);
+        for span in &mut self.spans[first_span..] {
+            let place = |at: usize| moved.get(at - start).copied().unwrap_or(at);
+            span.bytes = place(span.bytes.start)..place(span.bytes.end);
+        }
+    }
 }
 
 /// One `let` of a function.
@@ -91,7 +135,7 @@ impl Emitter<'_> {
                 self.expression(cutoff)
             );
         } else {
-            let _ = writeln!(body.text, "    return {value};");
+            self.write_value(root, &format!("return {value};"), body);
         }
         body.text.push_str("}\n");
         self.value_names.extend(inherited);
@@ -109,6 +153,9 @@ impl Emitter<'_> {
                 Operation::Context(..) if value.rate == Rate::Fragment => return true,
                 Operation::Member { value, .. } | Operation::Convert { value, .. } => {
                     open.push(*value);
+                }
+                Operation::Call { .. } if self.is_nested(id) => {
+                    open.extend(operands(&value.operation));
                 }
                 _ => {}
             }
@@ -133,13 +180,9 @@ impl Emitter<'_> {
                 .into_iter()
                 .chain(part.inputs.iter().map(|&input| self.expression(input)))
                 .collect();
-            let _ = writeln!(
-                body.text,
-                "    let {} = {}({});",
-                part.variable,
-                part.name,
-                arguments.join(", ")
-            );
+            let arguments = arguments.join(", ");
+            let line = format!("let {} = {}({arguments});", part.variable, part.name);
+            write_line(&line, 1, &mut body.text);
             for &output in &part.outputs {
                 let member = self.value_names.get(&output).cloned().unwrap_or_default();
                 let text = if part.outputs.len() == 1 {
@@ -156,12 +199,7 @@ impl Emitter<'_> {
 
     fn write_call(&self, id: ValueId, body: &mut Body) {
         let name = self.value_names.get(&id).map_or("", String::as_str);
-        let path = self.graph.nodes[self.special.values[id].node].path.clone();
-        body.text.push_str("    ");
-        let start = body.text.len();
-        let _ = write!(body.text, "let {name} = {};", self.call(id));
-        body.spans.push((start..body.text.len(), path));
-        body.text.push('\n');
+        self.write_value(id, &format!("let {name} = {};", self.call(id).0), body);
     }
 
     /// Writes a part after the parts that it calls; their depth is the logarithm of the look's
@@ -193,7 +231,8 @@ impl Emitter<'_> {
             let name = self.value_names.get(&input).cloned().unwrap_or_default();
             parameters.push(format!("{name}: {}", self.value_type(input)));
         }
-        let _ = writeln!(body.text, "fn {}({}) -> {result} {{", part.name, parameters.join(", "));
+        let parameters = parameters.join(", ");
+        write_line(&format!("fn {}({parameters}) -> {result} {{", part.name), 0, &mut body.text);
         let inherited = self.write_blocks(&part.blocks, body);
         let values: Vec<String> =
             part.outputs.iter().map(|&output| self.expression(output)).collect();
@@ -202,7 +241,8 @@ impl Emitter<'_> {
         } else {
             format!("{result}({})", values.join(", "))
         };
-        let _ = writeln!(body.text, "    return {value};\n}}\n");
+        write_line(&format!("return {value};"), 1, &mut body.text);
+        body.text.push_str("}\n\n");
         self.value_names.extend(inherited);
     }
 
@@ -212,7 +252,8 @@ impl Emitter<'_> {
 
     /// Blocks of `shade`: the look's calls, gathered into parts until the blocks are few.
     fn blocks(&mut self) -> Vec<Block> {
-        let mut blocks: Vec<Block> = self.calls.iter().map(|&call| Block::Call(call)).collect();
+        let calls = self.calls.iter().filter(|&&call| !self.is_nested(call));
+        let mut blocks: Vec<Block> = calls.map(|&call| Block::Call(call)).collect();
         while blocks.len() > SHORT {
             let before = blocks.len();
             blocks = self.gathered(blocks);
@@ -293,12 +334,13 @@ impl Emitter<'_> {
         }
     }
 
-    /// The calls that a value reads, through members and conversions; the value itself, if it is
+    /// The calls that a value reads, through members, conversions and calls inside; the value itself, if it is
     /// one and `or_itself`.
-    fn call_operands(&self, id: ValueId, or_itself: bool) -> Vec<ValueId> {
+    pub(super) fn call_operands(&self, id: ValueId, or_itself: bool) -> Vec<ValueId> {
         let is_call = |id: ValueId| {
             let value = &self.special.values[id];
-            value.rate > Rate::Object && matches!(value.operation, Operation::Call { .. })
+            let is_fragment = value.rate > Rate::Object && !self.is_nested(id);
+            is_fragment && matches!(value.operation, Operation::Call { .. })
         };
         if or_itself && is_call(id) {
             return vec![id];

@@ -96,6 +96,26 @@ impl Code {
         }
     }
 
+    /// Length of its text, about as long as it will be.
+    pub(in crate::compile) fn length(&self) -> usize {
+        let mut length = 0;
+        self.each(&mut |code| {
+            length += match code {
+                Self::Text(text, _) | Self::Argument(text, _) | Self::Constant(text) => text.len(),
+                Self::Parameter(_) | Self::Local(_) => 8,
+                Self::Member(_, name, _) => 1 + name.len(),
+                Self::Index(..) => 2,
+                Self::Unary(operator, _) => operator.len(),
+                Self::Binary(operator, ..) => 2 + operator.len(),
+                Self::BuiltIn(name, parts) | Self::Struct(name, parts) => {
+                    name.len() + 2 * parts.len()
+                }
+                Self::Call(_, parts) => 16 + 2 * parts.len(),
+            }
+        });
+        length
+    }
+
     /// Number of operators and calls.
     pub(in crate::compile) fn size(&self) -> usize {
         let mut size = 0;
@@ -192,7 +212,10 @@ impl Code {
             Self::Binary(operator @ ("+" | "-"), a, b) => {
                 // a - -1 is a + 1.
                 let positive = match &*b {
-                    Self::Text(text, _) => text.strip_prefix('-').map(Self::number),
+                    Self::Text(text, _) | Self::Argument(text, _) => {
+                        let number = text.strip_prefix('-');
+                        number.filter(|text| text.parse::<f64>().is_ok()).map(Self::number)
+                    }
                     _ => None,
                 };
                 match positive {

@@ -37,7 +37,7 @@ use crate::wgsl::ValidModule;
 
 pub(super) use code::{Callee, Code, Line, each_code};
 pub(super) use lower::Body;
-pub(super) use print::{CodeNames, level, write_line, write_lines};
+pub(super) use print::{CodeNames, LINE, level, write_line, write_lines};
 
 /// Most operators of an expression that stands in its caller in place of a call.
 const MOST_INLINED: usize = 9;
@@ -184,13 +184,18 @@ impl SpecializedFunctions {
         Some(self.make(module_key, name, body))
     }
 
-    /// A function of its own for an expression of a function's parameters.
+    /// A call of a function in place of an expression of its parameters; of the one that stands in
+    /// its file where nothing about it has changed.
     pub(super) fn function_of(
         &mut self,
         module: &Arc<NodeModule>,
         name: &str,
         code: &Code,
+        is_changed: bool,
     ) -> CallForm {
+        if !is_changed {
+            return CallForm::Original;
+        }
         self.make(module_key(module), name, Body::returning(code.clone()))
     }
 
@@ -201,6 +206,17 @@ impl SpecializedFunctions {
             CallForm::Expression(code, _) => self.operations_of(module, code),
             CallForm::Made(index) => self.operations_of_made(module, *index),
         }
+    }
+
+    /// True if another function of the same name takes at most so many operations more.
+    pub(super) fn is_alike(
+        &self,
+        module: &NodeModule,
+        [index, other]: [usize; 2],
+        most: u64,
+    ) -> bool {
+        let count = |index: usize| self.operations_of_made(module, index);
+        self.made[index].name == self.made[other].name && count(other) <= count(index) + most
     }
 
     fn operations_of_made(&self, module: &NodeModule, index: usize) -> u64 {

@@ -5,7 +5,7 @@ use super::code::{Callee, Code, Line};
 use crate::wgsl::rename_identifiers;
 
 /// Greatest length of a line, as in the library's files.
-const LINE: usize = 100;
+pub(in crate::compile) const LINE: usize = 100;
 
 /// Levels of WGSL's grammar, from what binds least to what needs no brackets.
 pub(in crate::compile) mod level {
@@ -32,7 +32,7 @@ pub(in crate::compile) trait CodeNames {
 }
 
 impl Code {
-    fn level(&self) -> u8 {
+    pub(in crate::compile) fn level(&self) -> u8 {
         match self {
             Self::Text(_, level) | Self::Argument(_, level) => *level,
             Self::Unary(..) => level::UNARY,
@@ -200,7 +200,7 @@ pub(in crate::compile) fn write_line(line: &str, indent: usize, out: &mut String
         };
         let last = bytes.len().saturating_sub(2).min(room);
         let first = (1..bytes.len().saturating_sub(1)).find(|&at| is_break(at));
-        let Some(at) = (1..=last).rev().find(|&at| is_break(at)).or(first) else {
+        let Some(at) = best_break(bytes, last, is_break).or(first) else {
             out.push_str(rest);
             out.push('\n');
             return;
@@ -212,6 +212,24 @@ pub(in crate::compile) fn write_line(line: &str, indent: usize, out: &mut String
         }
         rest = &rest[at + 1..];
     }
+}
+
+/// The place to break a line at, up to `last`: in the outermost brackets that have one in the last
+/// two thirds, as far on as may be.
+fn best_break(line: &[u8], last: usize, is_break: impl Fn(usize) -> bool) -> Option<usize> {
+    let mut depth = 0_i32;
+    let mut best: Option<(i32, usize)> = None;
+    for (at, &byte) in line.iter().enumerate().take(last + 1) {
+        depth += i32::from(matches!(byte, b'(' | b'[' | b'{'));
+        depth -= i32::from(matches!(byte, b')' | b']' | b'}'));
+        if at > 0 && is_break(at) {
+            let is_early = 3 * at < last;
+            if best.is_none_or(|(least, place)| depth <= least || 3 * place < last && !is_early) {
+                best = Some((depth, at));
+            }
+        }
+    }
+    best.map(|(_, at)| at)
 }
 
 #[cfg(test)]

@@ -97,6 +97,13 @@ pub(super) fn bits(arguments: &[Ranges]) -> Vec<u64> {
     arguments.iter().flat_map(|ranges| ranges.iter()).flat_map(|range| range.bits()).collect()
 }
 
+/// Ranges that hold what either holds; `None` for values of two shapes.
+pub(super) fn join(a: &Ranges, b: &Ranges) -> Option<Ranges> {
+    let is_same = a.len() == b.len();
+    let joined: Option<Vec<Range>> = a.iter().zip(b.iter()).map(|(a, b)| a.join(*b)).collect();
+    joined.filter(|_| is_same).map(Into::into)
+}
+
 /// [`call`] for a module that imports the library and declares nothing that could be taken for a
 /// part of it.
 pub(super) fn call_plain(

@@ -253,6 +253,20 @@ impl FunctionWriter<'_> {
         is_fixed && code.is_simple()
     }
 
+    /// The parameter that a guard gives back as it is: callers whose numbers differ share what is
+    /// written with it, where a literal would be of one caller alone.
+    fn parameter_in_place(
+        &mut self,
+        arguments: &[Handle<Expression>],
+        result: Handle<Expression>,
+    ) -> WriteResult<Option<Code>> {
+        let Some(&first) = arguments.first() else { return Ok(None) };
+        if self.ranges(first) != self.ranges(result) {
+            return Ok(None);
+        }
+        Ok(Some(self.code(first)?).filter(|code| matches!(code, Code::Parameter(_))))
+    }
+
     fn call(
         &mut self,
         function: Handle<naga::Function>,
@@ -261,7 +275,8 @@ impl FunctionWriter<'_> {
     ) -> WriteResult<()> {
         if let Some(literal) = self.known(result) {
             self.is_changed = true;
-            self.bind_code(result, literal);
+            let same = self.parameter_in_place(arguments, result)?;
+            self.bind_code(result, same.unwrap_or(literal));
             return Ok(());
         }
         let module = &self.scope.valid.module;

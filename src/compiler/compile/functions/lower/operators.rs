@@ -123,6 +123,18 @@ impl FunctionWriter<'_> {
         Ok(Code::BuiltIn("select".into(), parts))
     }
 
+    /// The number that an expression is the square of, where that is not negative, nor so large that
+    /// its square is infinite.
+    fn squared(&self, handle: Handle<Expression>) -> Option<Handle<Expression>> {
+        let Expression::Binary { op: Op::Multiply, left, right } =
+            self.function.expressions[handle]
+        else {
+            return None;
+        };
+        let is_safe = |x: Floats| x.is_positive() && x.is_within(0.0, 1e18);
+        (left == right && self.is_all(left, is_safe)).then_some(left)
+    }
+
     pub(super) fn math(
         &mut self,
         fun: naga::MathFunction,
@@ -158,6 +170,7 @@ impl FunctionWriter<'_> {
                     (ordered(None, first, Some(other)).1, ordered(None, other, Some(first)).1);
                 if is_first { Some(first) } else { is_second.then_some(other) }
             }
+            (Math::Sqrt, []) => self.squared(first),
             (Math::Abs, []) => self.is_all(first, Floats::is_positive).then_some(first),
             (Math::Saturate, []) => {
                 self.is_all(first, |x| x.is_within(0.0, 1.0) && x.is_positive()).then_some(first)
