@@ -89,6 +89,64 @@ fn a_byte_of_the_source_leads_to_its_node_and_back() {
     }
 }
 
+/// A call that is read once stands where it is read, unless the artist named its node or the line
+/// would become too long; each byte still leads to the node that it came from.
+#[test]
+fn calls_stand_where_they_are_read() {
+    let look = |name: &str| {
+        let text = format!(
+            r#"{{"chiaro": "look", "version": 1, "name": "Sums", "nodes": [
+                {{"id": "facing", "kind": "facing"}},
+                {{"id": "part", "kind": "multiply", {name} "values": {{"b": 0.3}}}},
+                {{"id": "sum", "kind": "add", "values": {{"b": 0.2}}}},
+                {{"id": "square", "kind": "multiply"}},
+                {{"id": "output", "kind": "output"}}],
+              "wires": [
+                {{"from": "facing", "to": "part.a"}}, {{"from": "part", "to": "sum.a"}},
+                {{"from": "sum", "to": "square.a"}}, {{"from": "sum", "to": "square.b"}},
+                {{"from": "square", "to": "output.color"}}]}}"#
+        );
+        let read = Look::read(&text, "sums.json");
+        assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+        compiled(&read.value.unwrap(), &CompileOptions::default())
+    };
+    let shader = look("");
+    let path = chiaro_language::ids::NodePath::parse;
+    let text = |id: &str| -> Vec<&str> {
+        let path = path(id);
+        shader.spans.spans_of(&path).map(|span| &shader.wgsl[span]).collect()
+    };
+    assert!(!shader.wgsl.contains("let part"), "{}", shader.wgsl);
+    let [part] = text("part")[..] else { panic!("{:?}", text("part")) };
+    let [sum] = text("sum")[..] else { panic!("{:?}", text("sum")) };
+    assert!(part.ends_with(" * 0.3") && sum == format!("let sum = {part} + 0.2;"), "{sum}");
+    let whole = shader.spans.spans_of(&path("sum")).next().unwrap();
+    let inner = shader.spans.spans_of(&path("part")).next().unwrap();
+    assert_eq!(shader.spans.node_at(inner.end - 1), Some(&path("part")));
+    assert_eq!(shader.spans.node_at(inner.start), Some(&path("facing")));
+    assert_eq!(shader.spans.node_at(inner.end), Some(&path("sum")));
+    assert_eq!(shader.spans.node_of(&(inner.start..inner.end + 4)), Some(&path("sum")));
+    assert_eq!(shader.spans.node_of(&(whole.start..whole.end + 8)), None);
+    // What several read has a name.
+    assert!(shader.wgsl.contains("sum * sum"), "{}", shader.wgsl);
+    let named = look(r#""name": "Half light","#).wgsl;
+    assert!(named.contains("let half_light = "), "{named}");
+}
+
+/// Lines of what the looks compute are short enough to be read.
+#[test]
+fn lines_of_looks_are_short() {
+    for path in looks() {
+        let source = compiled(&load(&path), &CompileOptions::default()).wgsl;
+        let shade = source.split_once("fn shade(").unwrap().1;
+        let long: Vec<&str> = shade
+            .lines()
+            .filter(|line| line.len() > 110 && !line.trim_start().starts_with("//"))
+            .collect();
+        assert!(long.is_empty(), "{}: {long:?}", path.display());
+    }
+}
+
 #[test]
 fn what_changes_nothing_is_removed_with_its_reason() {
     let look =

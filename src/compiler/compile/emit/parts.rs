@@ -334,8 +334,8 @@ impl Emitter<'_> {
         }
     }
 
-    /// The calls that a value reads, through members, conversions and calls inside; the value itself, if it is
-    /// one and `or_itself`.
+    /// The calls that a value reads, through members, conversions and calls that stand inside; the
+    /// value itself, if it is one and `or_itself`.
     pub(super) fn call_operands(&self, id: ValueId, or_itself: bool) -> Vec<ValueId> {
         let is_call = |id: ValueId| {
             let value = &self.special.values[id];

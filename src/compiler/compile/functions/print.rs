@@ -337,6 +337,14 @@ mod tests {
     }
 
     #[test]
+    fn lines_break_at_the_outermost_brackets() {
+        let color = "vec4f(0.7059, 0.3412, 0.2902, 1.0)";
+        let lines =
+            broken(&format!("let shadow_color = color_of(convexity, {color}, {color});"), 1);
+        assert_eq!(lines[1], format!("        {color});"), "{lines:?}");
+    }
+
+    #[test]
     fn long_lines_break_before_operators() {
         let sum = ["some_value * some_factor"; 8].join(" + ");
         let lines = broken(&format!("return {sum};"), 2);

@@ -123,8 +123,8 @@ impl FunctionWriter<'_> {
         Ok(Code::BuiltIn("select".into(), parts))
     }
 
-    /// The number that an expression is the square of, where that is not negative, nor so large that
-    /// its square is infinite.
+    /// The number that an expression is the square of, where that is not negative, nor so large
+    /// that its square is infinite.
     fn squared(&self, handle: Handle<Expression>) -> Option<Handle<Expression>> {
         let Expression::Binary { op: Op::Multiply, left, right } =
             self.function.expressions[handle]
