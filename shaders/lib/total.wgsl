@@ -193,6 +193,10 @@ fn length_of(v: vec3f) -> f32 {
 /// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
 /// the balanced tier takes x as off by a rounding or two, which far from 0 is more than its bound.
 /// @where tier is balanced and |x| <= 1e7 : sin(x) ~ 5e-5
+/// @where |x| <= 1.6 : sine_low(x)
+/// @where x >= 0 and x <= 4.17 : cosine_low(x - 1.57079632679489662)
+/// @where x >= 1.55 and x <= 4.73 : sine_low((3.140625 - x) + 0.000967653589793238463)
+/// @where x >= 2.12 and x <= 7.31 : -cosine_low(x - 4.71238898038468986)
 /// @where |x| <= 3000 : sine_near(x)
 fn sine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -213,6 +217,9 @@ fn sine_near(x: f32) -> f32 {
 /// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
 /// the balanced tier is that of [`sine_of`].
 /// @where tier is balanced and |x| <= 1e7 : cos(x) ~ 5e-5
+/// @where |x| <= 2.6 : cosine_low(x)
+/// @where x >= 0 and x <= 3.17 : sine_low((1.5703125 - x) + 0.000483826794896619231)
+/// @where x >= 0.55 and x <= 5.74 : -cosine_low(x - 3.14159265358979324)
 /// @where |x| <= 3000 : cosine_near(x)
 fn cosine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -239,6 +246,25 @@ fn sine_turned(r: f32, turns: f32) -> f32 {
     let s = fma(r * y, fma(y, fma(y, high, 0.008333017290471173), -0.16666657096459908), r);
     // Odd turns, of which half is left, turn the sign.
     return clamp(s * fma(fract(turns * 0.5), -4.0, 1.0), -1.0, 1.0);
+}
+
+/// sin(r) for |r| <= 1.6, a quarter turn and some more: a minimax polynomial (absolute error below
+/// 6e-9 beside rounding).
+fn sine_low(r: f32) -> f32 {
+    let y = r * r;
+    let high = fma(y, 0.000002593088765934226, -0.00019803417671937495);
+    let s = fma(r * y, fma(y, fma(y, high, 0.008332972414791584), -0.16666655242443085), r);
+    return clamp(s, -1.0, 1.0);
+}
+
+/// cos(r) for |r| <= 2.6: a minimax polynomial (absolute error below 2e-9 beside rounding) that is
+/// 1 at 0 and below that elsewhere.
+fn cosine_low(r: f32) -> f32 {
+    let y = r * r;
+    let high = fma(y, fma(y, 1.8474174412475008e-9, -2.7357322096577263e-7),
+        0.000024793636839604005);
+    return fma(y, fma(y, fma(y, fma(y, high, -0.0013888741377741098), 0.041666656732559204), -0.5),
+        1.0);
 }
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
