@@ -6,6 +6,7 @@ import chiaro::total;
 import chiaro::slope;
 
 /// kappa fit for use: 0 where it is NaN, within +-1e4.
+/// @where |kappa| <= 1e4 : kappa
 fn kappa_safe(kappa: f32) -> f32 {
     // An infinite curvature keeps its sign; only NaN has none.
     let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
@@ -72,6 +73,7 @@ fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32
 }
 
 /// Tensor fit for use: [`kappa_safe`] of each number.
+/// @where |tensor| <= 1e4 : tensor
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }

@@ -4,6 +4,7 @@ use crate::support::cases::hold;
 use chiaro::diag::{Diagnostic, LineColumn, WithWarnings};
 use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, Siblings, import, load, no_siblings};
+use chiaro::library::MAX_COORDINATE;
 use glam::{Vec3, Vec4};
 use proptest::prelude::*;
 
@@ -33,6 +34,51 @@ fn wrong_files() {
     });
 }
 
+/// What shaders are promised of a mesh is refused or clamped here, whatever attribute it is of.
+#[test]
+fn numbers_of_attributes_are_those_that_shaders_are_promised() {
+    let obj = |v: &str, vt: &str, vn: &str| {
+        format!(
+            "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv {v}\nvt 0 0\nvt {vt}\nvn 0 0 1\nvn {vn}\n\
+                 f 1/1/1 2/1/1 3/2/2\n"
+        )
+    };
+    let ply = |vertex: &str| {
+        let properties = ["x", "y", "z", "nx", "ny", "nz", "s", "t", "red", "green", "blue"];
+        let properties: String =
+            properties.iter().map(|name| format!("property float {name}\n")).collect();
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\n{properties}element face 1\n\
+                 property list uchar int vertex_index\nend_header\n\
+                 0 0 0 0 0 1 0 0 1 1 1\n1 0 0 0 0 1 0 0 1 1 1\n{vertex}\n3 0 1 2\n"
+        )
+    };
+    for none in ["nan", "inf", "-inf", "1e39"] {
+        for file in [
+            obj(&format!("0 {none} 0 1 0 0"), "1 1", "0 0 1"),
+            obj(&format!("0 1 0 1 {none} 0"), "1 1", "0 0 1"),
+            obj("0 1 0 1 0 0", &format!("{none} 1"), "0 0 1"),
+            obj("0 1 0 1 0 0", "1 1", &format!("0 0 {none}")),
+        ] {
+            let problems = errors("x.obj", &file);
+            assert_eq!(problems[0].code, "mesh-not-finite", "{file}");
+        }
+        for place in [1, 4, 6, 8] {
+            let mut row = ["0", "1", "0", "0", "0", "1", "1", "1", "1", "0", "0"];
+            row[place] = none;
+            let file = ply(&row.join(" "));
+            let problems = errors("x.ply", &file);
+            assert_eq!(problems[0].code, "mesh-not-finite", "{file}");
+        }
+    }
+    for far in ["1e7", "-3e38"] {
+        let file = obj(&format!("0 1 0 1 {far} 0"), &format!("1 {far}"), "0 0 1");
+        let mesh = read("x.obj", file).value;
+        check(&mesh);
+        assert!(mesh.uvs.iter().flatten().any(|x| f64::from(x.abs()) == MAX_COORDINATE));
+    }
+}
+
 fn check(mesh: &Mesh) {
     let count = mesh.positions.len();
     assert_eq!(
@@ -57,6 +103,8 @@ fn check(mesh: &Mesh) {
                 .chain(&mesh.colors[v])
                 .all(|x| x.is_finite())
         );
+        let is_far = |x: &f32| f64::from(x.abs()) > MAX_COORDINATE;
+        assert!(!mesh.uvs[v].iter().chain(&mesh.colors[v]).any(is_far));
     }
 }
 

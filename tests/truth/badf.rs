@@ -361,6 +361,48 @@ fn in_f32(u: f64, [offset, falloff, cutoff]: [f64; 3]) -> f64 {
     call("profile_point", &[half, shape]).as_f64().expect("a number")
 }
 
+/// Profiles over a footprint (docs/math.md 2.4) against the mean of 200 points of it. Errors are at
+/// the ends of the slope, where a derivative jumps.
+#[test]
+fn a_profile_over_a_footprint_is_its_mean() {
+    let module = &chiaro::library::Library::built_in().nodes["profile"].module;
+    let call = |function: &str, arguments: &[Number]| {
+        let program = module.program(function).unwrap_or_else(|problem| panic!("{problem}"));
+        program.call(arguments, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"))
+    };
+    let mut random = Random::new(22);
+    // By footprints below a tenth of the deviation, and above: greatest error, sum, count.
+    let mut errors = [[0.0_f64; 3]; 2];
+    for index in 0..40 {
+        let tau = random.between(0.0, 1.0);
+        let c = if index % 5 == 0 { PI } else { random.between(tau + 0.1, PI) };
+        let f = if index % 7 == 0 { c } else { random.between(tau + 0.05, c) };
+        let shape = call("profile_shape", &[tau, f, c].map(Number::Float));
+        let deviation = shape.parts().and_then(|parts| parts[6].as_f64()).expect("a deviation");
+        for share in [0.03, 0.09, 0.2, 0.5, 0.95] {
+            let w = (share * deviation).min(0.5);
+            for step in 0..40 {
+                let u = 0.5 * w + (PI - w) * f64::from(step) / 39.0;
+                let at = |part: i32| u + w * ((f64::from(part) + 0.5) / 200.0 - 0.5);
+                let mean =
+                    (0..200).map(|part| badf::alpha(at(part), 0.0, [tau, f, c])).sum::<f64>();
+                let half = [(0.5 * u).sin(), (0.5 * u).cos()].map(Number::Float).to_vec();
+                for function in ["profile_filtered", "profile_filtered_quick"] {
+                    let given = [Number::Struct(half.clone()), Number::Float(w), shape.clone()];
+                    let got = call(function, &given).as_f64().expect("a number");
+                    let error = (got - mean / 200.0).abs();
+                    let [most, sum, count] = &mut errors[usize::from(share > 0.1)];
+                    (*most, *sum, *count) = (most.max(error), *sum + error, *count + 1.0);
+                }
+            }
+        }
+    }
+    let [narrow, wide] = errors.map(|[most, sum, count]| (most, sum / count));
+    println!("greatest and mean error: {narrow:?} below a tenth of the deviation, {wide:?} above");
+    assert!(narrow.0 < 3e-3 && narrow.1 < 4e-6, "{narrow:?}");
+    assert!(wide.0 < 9e-3 && wide.1 < 1e-4, "{wide:?}");
+}
+
 #[test]
 fn alpha_of_parameters_wired_near_0_and_near_pi() {
     let issue = [0.0, f32_of(PI - 2.653_59e-6), f32_of(PI)];

@@ -253,8 +253,10 @@ pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
 }
 
 impl HostInputs<'_> {
+    /// A number that the host knows, as shaders are promised it.
     fn context(&self, context: Context, light: Option<&LightId>) -> interp::Value {
-        match context.row().source {
+        let row = context.row();
+        let value = match row.source {
             ContextSource::Host { value, .. } => value(&self.surroundings()),
             ContextSource::Light(input) => {
                 let light = light.and_then(|id| self.lights.get(id));
@@ -264,7 +266,8 @@ impl HostInputs<'_> {
             ContextSource::Fragment { .. } | ContextSource::Pass { .. } => {
                 interp::Value::Float(0.0)
             }
-        }
+        };
+        row.bounds.kept_value(value)
     }
 
     fn surroundings(&self) -> HostSurroundings {

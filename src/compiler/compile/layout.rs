@@ -131,3 +131,23 @@ fn write_scalar(scalar: Scalar, at: usize, bytes: &mut [u8]) {
 fn finite_f32(x: f64) -> f32 {
     if x.is_nan() { 0.0 } else { (x as f32).clamp(f32::MIN, f32::MAX) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compile::push_numbers;
+
+    /// What a fragment reads from a uniform is finite, in f32 and in the reference's f64.
+    #[test]
+    fn uniforms_hold_finite_numbers_alone() {
+        let value = Value::vec(&[f64::NAN, f64::INFINITY, -1e300, 0.25]);
+        let mut bytes = [0_u8; 16];
+        ValueLayout::Vector.write(&value, 0, &mut bytes);
+        let singles: Vec<f32> =
+            bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        assert_eq!(singles, [0.0, f32::MAX, f32::MIN, 0.25]);
+        let mut numbers = Vec::new();
+        push_numbers(&value, &mut numbers);
+        assert_eq!(numbers, [0.0, f64::from(f32::MAX), f64::from(f32::MIN), 0.25]);
+    }
+}

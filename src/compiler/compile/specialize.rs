@@ -74,6 +74,17 @@ pub(super) struct ComputedValue {
     pub(super) ranges: Option<Ranges>,
 }
 
+impl ComputedValue {
+    /// Ranges of the value where a fragment reads it: what comes from a uniform is finite, because
+    /// the host writes nothing else ([`push_numbers`](super::host::push_numbers)).
+    pub(super) fn ranges_in_fragments(&self) -> Option<Ranges> {
+        let ranges = self.ranges.clone()?;
+        let is_uniform =
+            self.rate != Rate::Fragment && !matches!(self.operation, Operation::Constant(_));
+        Some(if is_uniform { intervals::finite(&ranges) } else { ranges })
+    }
+}
+
 /// The kind of texture that a file becomes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageShape {
@@ -355,6 +366,7 @@ impl<'a> Builder<'a> {
         module: &NodeModule,
         function: &str,
         arguments: &[Argument],
+        rate: Rate,
     ) -> Option<Ranges> {
         if self.options.unspecialized {
             return None;
@@ -362,6 +374,9 @@ impl<'a> Builder<'a> {
         let mut given = Vec::with_capacity(arguments.len());
         for argument in arguments {
             given.push(match argument {
+                Argument::Value(id) if rate == Rate::Fragment => {
+                    self.values[*id].ranges_in_fragments()?
+                }
                 Argument::Value(id) => self.values[*id].ranges.clone()?,
                 // Images and samplers have no numbers.
                 Argument::Image(_) | Argument::Sampler(_) => Ranges::from([]),
@@ -567,7 +582,7 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized {
             rate = Rate::Fragment;
         }
-        let ranges = self.call_ranges(&module, &name, &arguments);
+        let ranges = self.call_ranges(&module, &name, &arguments, rate);
         if let Some(known) = self.only_value(ranges.as_ref(), &ty) {
             self.proved.insert(index);
             return self.constant(index, ty, known);

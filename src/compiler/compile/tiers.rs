@@ -602,7 +602,9 @@ fn context_rows(context: Context, seed: u64, round: u64) -> Rows {
                     let high = high.unwrap_or(low + PICTURE_SIDE);
                     low + (high - low) * random.unit()
                 }
-                (_, ContextBounds::Unit) if count == 3 => direction[part],
+                (_, ContextBounds::Unit | ContextBounds::UnitOrShorter) if count == 3 => {
+                    direction[part]
+                }
                 (_, ContextBounds::Intensity) => 1.0,
                 (_, ContextBounds::Count) => (PICTURE_SIDE * random.unit()).floor(),
                 _ => random.unit(),

@@ -4,6 +4,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use crate::compile::Uniform;
 use crate::document::{Camera, Projection};
+use crate::library::MAX_NORMAL_SCALE;
 
 /// Least distance of the near plane of a perspective view, as a share of the far plane's: a nearer
 /// plane costs depth precision, because depth is an f32 whose steps are far away.
@@ -213,6 +214,9 @@ pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> 
     // A flattened object has no inverse; its normals are transformed as directions are.
     let normals =
         if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+    // Normals that are no longer than shaders are promised.
+    let largest = normals.to_cols_array().into_iter().map(f64::abs).fold(0.0, f64::max);
+    let normals = normals * (MAX_NORMAL_SCALE / largest.max(MAX_NORMAL_SCALE));
     let mut numbers = world_from_object.to_cols_array().to_vec();
     let mut padded = numbers.clone();
     for column in normals.to_cols_array_2d() {
@@ -299,6 +303,25 @@ mod tests {
         }
         let parallel = Camera { projection: Projection::Orthographic, ..camera };
         assert_eq!(View::new(&parallel, [200, 100], DVec3::ZERO, 1.0).least_distance(), 0.0);
+    }
+
+    /// Normals of an object that is scaled to almost nothing are no longer than shaders are
+    /// promised, and point where they did.
+    #[test]
+    fn normals_of_tiny_objects_keep_their_length_in_bounds() {
+        for scale in [[1e-20, 1e6, 1e6], [1e-12, 1e12, 1e6], [1e6, 1e-7, 1e-5], [0.0, 1.0, 1.0]] {
+            let matrix = DMat4::from_scale(DVec3::from(scale));
+            let uniform = object_uniform(matrix, 0.0, 0.0);
+            let numbers = &uniform.numbers[16..25];
+            assert!(numbers.iter().all(|x| x.abs() <= MAX_NORMAL_SCALE), "{numbers:?}");
+            let floats =
+                uniform.bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap()));
+            assert!(floats.into_iter().all(f32::is_finite));
+            if scale[0] > 0.0 {
+                let [x, y] = [numbers[0], numbers[4]];
+                assert!((x / y / (scale[1] / scale[0]) - 1.0).abs() < 1e-9, "{x} {y}");
+            }
+        }
     }
 
     #[test]

@@ -361,17 +361,10 @@ impl<'a> Packer<'a> {
                 let at = at + (*offset + member) as usize;
                 let given = sample.contexts.get(context).map(Vec::as_slice);
                 let row = context.row();
-                let value = row.sample.value(*context, &surface, given);
-                if row.sample.is_unchanged() {
-                    let numbers = value.components().unwrap_or_default();
-                    for (number, bytes) in numbers.iter().zip(packed.bytes[at..].chunks_mut(4)) {
-                        bytes.copy_from_slice(&(*number as f32).to_le_bytes());
-                    }
-                    packed.numbers.extend(numbers.iter());
-                } else {
-                    layout.write(&value, at, &mut packed.bytes);
-                    push_numbers(&value, &mut packed.numbers);
-                }
+                // A sample may say anything; looks get what shaders are promised.
+                let value = row.bounds.kept_value(row.sample.value(*context, &surface, given));
+                layout.write(&value, at, &mut packed.bytes);
+                push_numbers(&value, &mut packed.numbers);
             }
         }
         let lights = sample_lights(sample, own_lights);

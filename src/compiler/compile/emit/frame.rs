@@ -85,7 +85,15 @@ impl Emitter<'_> {
         };
         !self.options.unspecialized
             && is_color
-            && root.ranges.as_ref().is_some_and(|ranges| ranges.iter().all(is_finite))
+            && root.ranges_in_fragments().is_some_and(|ranges| ranges.iter().all(is_finite))
+    }
+
+    /// True if what is shown is known to be a unit vector.
+    fn is_unit_root(&self) -> bool {
+        let root = &self.special.values[self.special.root];
+        let is_unit = |range: &intervals::Range| matches!(range, intervals::Range::Float(x) if x.length == intervals::Length::One);
+        matches!(self.options.stage.row().value, StageValue::Context(_))
+            || root.ranges.as_ref().is_some_and(|ranges| ranges.iter().all(is_unit))
     }
 
     /// The functions of the library that the frame may call.
@@ -97,7 +105,7 @@ impl Emitter<'_> {
         let root = &self.special.values[self.special.root].ty;
         let own = [
             (self.normalize_seen(), true),
-            ("normalize_or", stage.draws_normals()),
+            ("normalize_or", stage.draws_normals() && !self.is_unit_root()),
             ("surface_texel", stage.draws_normals()),
             ("straight", *root == Type::Composite),
             ("angle_radians", *root == Type::Angle),
@@ -305,8 +313,8 @@ impl Emitter<'_> {
             self.out.push_str(if draws_normals {
                 // Slivers at outlines may be taken for backs; turned around, one of them would bend
                 // all that is near.
-                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, \
-                 facing);\n    \
+                // Nothing nearer than the near plane is drawn, so that this has a length.
+                "    let toward = normalize(view.eye.xyz - view.eye.w * in.position);\n    \
                  let is_behind = !is_front && dot(facing, toward) < -0.1;\n    \
                  let normal = select(facing, -facing, is_behind);\n"
             } else {
@@ -352,8 +360,11 @@ impl Emitter<'_> {
         };
         let _ = if draws_normals {
             // Texels hold unit normals. A normal that an artist wires may have any length.
-            let is_unit = matches!(stage.row().value, StageValue::Context(_));
-            let unit = if is_unit { "seen" } else { "normalize_or(seen, vec3f(0.0, 0.0, 1.0))" };
+            let unit = if self.is_unit_root() {
+                "seen"
+            } else {
+                "normalize_or(seen, vec3f(0.0, 0.0, 1.0))"
+            };
             writeln!(
                 self.out,
                 "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \

@@ -440,7 +440,7 @@ impl<'a> Emitter<'a> {
             return None;
         };
         let ranges = arguments.iter().map(|argument| match argument {
-            Argument::Value(id) => self.special.values[*id].ranges.clone(),
+            Argument::Value(id) => self.special.values[*id].ranges_in_fragments(),
             Argument::Image(_) | Argument::Sampler(_) => Some(Ranges::from([])),
         });
         ranges.collect()
@@ -502,11 +502,15 @@ impl<'a> Emitter<'a> {
         from: ValueId,
     ) {
         let name = template.strip_suffix("($)");
-        let ranges = &self.special.values[from].ranges;
+        let ranges = self.special.values[from].ranges_in_fragments();
         if let (Some(name), Some(ranges), false) = (name, ranges, self.options.unspecialized)
             && built_in.declaration(name).is_some()
-            && let CallForm::Expression(code, true) =
-                self.functions.specialize(built_in, name, Tier::Exact, std::slice::from_ref(ranges))
+            && let CallForm::Expression(code, true) = self.functions.specialize(
+                built_in,
+                name,
+                Tier::Exact,
+                std::slice::from_ref(&ranges),
+            )
             && (code.reads(0) < 2 || self.is_short(from))
             && !code.names_declarations()
         {

@@ -64,6 +64,12 @@ pub(super) fn trace(
     Machine::new(valid, &own).trace(function, arguments).ok()
 }
 
+/// Ranges of numbers that were made finite numbers of f32: NaN 0, and what is too large the largest
+/// number of its sign.
+pub(super) fn finite(ranges: &[Range]) -> Ranges {
+    ranges.iter().map(|range| range.finite()).collect()
+}
+
 /// True if a function of a module has the text of the shader library's own.
 fn is_of_library(module: &NodeModule, name: &str) -> bool {
     let text = module.declaration(name).map(|found| found.text);

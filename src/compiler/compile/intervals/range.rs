@@ -324,6 +324,17 @@ impl Range {
         }
     }
 
+    /// The range of a float that is made a finite number of f32, 0 in the place of NaN.
+    pub(super) fn finite(self) -> Self {
+        let Self::Float(x) = self else { return self };
+        if x.is_none() {
+            return if x.nan { Self::ZERO } else { self };
+        }
+        let low = x.low.clamp(-LARGEST, LARGEST);
+        let numbers = Floats { low, high: x.high.clamp(-LARGEST, LARGEST), nan: false, ..x };
+        Self::Float(if x.nan { numbers.join(Floats::ZERO) } else { numbers })
+    }
+
     /// The range cut to [0, 1], where its numbers lie there for another reason.
     pub(in crate::compile) fn within_unit(self) -> Self {
         match self {

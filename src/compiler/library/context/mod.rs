@@ -19,7 +19,7 @@ pub use sample::{ContextSample, SurfacePart, SurfacePoint};
 
 use super::PassId;
 use table::TABLE;
-pub use table::{MAX_COORDINATE, MAX_PLACE};
+pub use table::{MAX_COORDINATE, MAX_CURVATURE, MAX_NORMAL_SCALE, MAX_ON_SCREEN, MAX_PLACE};
 
 /// Rate at which a value changes: the earliest time at which the value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -172,6 +172,7 @@ pub(super) const fn is_same(a: &[u8], b: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interp::Value;
     use crate::library::Type;
 
     #[test]
@@ -193,6 +194,39 @@ mod tests {
                 let width = Type::from_wgsl(row.ty).width().unwrap_or(9);
                 assert_eq!(count, width, "{context:?}: the numbers of a sample");
             }
+        }
+    }
+
+    #[test]
+    fn what_shaders_are_promised_is_a_number_of_f32_within_limits() {
+        for context in Context::all() {
+            let bounds = context.row().bounds;
+            let [least, most] = bounds.limits();
+            assert!(least <= 0.0 && most > 0.0 && (most as f32).is_finite(), "{context:?}");
+            assert_eq!(bounds.kept(f64::NAN), 0.0, "{context:?}");
+            assert_eq!(bounds.kept(f64::INFINITY), most, "{context:?}");
+            assert_eq!(bounds.kept(f64::NEG_INFINITY), least, "{context:?}");
+            assert_eq!(bounds.kept(0.5), 0.5, "{context:?}");
+        }
+        let kept = ContextBounds::Clamped(2.0).kept_value(Value::vec(&[f64::NAN, 3.0, -0.5]));
+        assert_eq!(kept, Value::vec(&[0.0, 2.0, -0.5]));
+    }
+
+    /// What a pass or a function of the library clamps to is what its contexts promise.
+    #[test]
+    fn shaders_clamp_to_what_is_promised() {
+        for (file, name, promised) in [
+            ("curvature_map", "const MOST = 1e4;", MAX_CURVATURE),
+            ("curvature", "@where |kappa| <= 1e4 : kappa", MAX_CURVATURE),
+            ("screen", "const MOST_ON_SCREEN: f32 = 1e15;", MAX_ON_SCREEN),
+        ] {
+            let (text, _) = crate::wgsl::library_scans()
+                .find(|(text, _)| text.contains(name))
+                .unwrap_or_else(|| panic!("{file}.wgsl says no `{name}`"));
+            assert!(!text.is_empty());
+            let number = name.split([' ', ';']).find_map(|word| word.parse::<f64>().ok());
+            assert_eq!(number, Some(promised), "{file}.wgsl: `{name}`");
+            assert_eq!(f64::from(promised as f32).to_bits(), promised.to_bits(), "{name}");
         }
     }
 }

@@ -4,8 +4,8 @@ use glam::DMat3;
 
 use super::Rate;
 use super::sample::{ContextSample, SurfacePart, SurfacePoint};
-use crate::document::{LightInput, LightQuantity};
-use crate::interp::Value;
+use crate::document::{LightInput, LightQuantity, MAX_INTENSITY, MAX_LIGHT_COLOR};
+use crate::interp::{Scalar, Value};
 
 /// Row of the table of contexts.
 #[derive(Clone, Copy, Debug)]
@@ -81,21 +81,73 @@ pub struct HostSurroundings {
     pub object_id: f64,
 }
 
-/// Bounds of each number of a context, whatever the scene.
+/// Bounds of each number of a context, whatever the scene: a promise to shaders, which whoever
+/// gives the numbers keeps, so that no fragment asks again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContextBounds {
-    /// No bounds: a value from a mesh, an interpolation or a scene.
-    Anything,
+    /// A finite number of f32.
+    Finite,
     /// From -1 to 1: a component of a unit vector or of a rotation, or a cosine.
     Unit,
+    /// From -1 to 1: a component of a vector that is unit, shorter, or 0.
+    UnitOrShorter,
     /// Count from 0, within the whole numbers that f32 holds exactly.
     Count,
-    /// No farther from 0 than this: what loaders of meshes and the bounds of scenes leave.
+    /// No farther from 0 than this, but for rounding: what loaders of meshes and the bounds of
+    /// scenes leave.
     Within(f64),
+    /// No farther from 0 than this number of f32: what a pass or a function clamps to.
+    Clamped(f64),
     /// Intensity of a light, which the host clamps.
     Intensity,
     /// Color of a light, which the host clamps.
     Color,
+}
+
+/// Factor by which a rounding may leave the bounds of what is no clamp.
+const ROUNDED: f64 = 1.001;
+
+/// Greatest component of unit vectors and rotations, with their roundings.
+const UNIT: f64 = 1.0 + 2e-6;
+
+impl ContextBounds {
+    /// Least and greatest number.
+    pub fn limits(self) -> [f64; 2] {
+        let around_zero = |most: f64| [-most, most];
+        match self {
+            Self::Finite => around_zero(f64::from(f32::MAX)),
+            Self::Unit | Self::UnitOrShorter => around_zero(UNIT),
+            Self::Count => [0.0, f64::from(1_u32 << 24)],
+            Self::Within(most) => around_zero(most * ROUNDED),
+            Self::Clamped(most) => around_zero(most),
+            Self::Intensity => [0.0, MAX_INTENSITY * ROUNDED],
+            Self::Color => around_zero(MAX_LIGHT_COLOR * ROUNDED),
+        }
+    }
+
+    /// The number as shaders are promised it: the nearest within the limits, and 0 in the place of
+    /// NaN.
+    pub fn kept(self, number: f64) -> f64 {
+        let [least, most] = self.limits();
+        if number.is_nan() { 0.0 } else { number.clamp(least, most) }
+    }
+
+    /// Every number of a value as shaders are promised it.
+    pub fn kept_value(self, value: Value) -> Value {
+        let kept = |scalar: Scalar| match scalar {
+            Scalar::Float(x) => Scalar::Float(self.kept(x)),
+            other => other,
+        };
+        match value {
+            Value::Float(x) => Value::Float(self.kept(x)),
+            Value::Vector(scalars) => Value::Vector(scalars.into_iter().map(kept).collect()),
+            Value::Matrix { columns, components } => Value::Matrix {
+                columns,
+                components: components.into_iter().map(|x| self.kept(x)).collect(),
+            },
+            other => other,
+        }
+    }
 }
 
 impl ContextRow {
@@ -113,7 +165,7 @@ impl ContextRow {
             label: None,
             balanced: None,
             fast: None,
-            bounds: ContextBounds::Anything,
+            bounds: ContextBounds::Finite,
             sample: ContextSample::None(&[]),
         }
     }
@@ -172,7 +224,7 @@ impl ContextRow {
                 ContextBounds::Color
             }
             _ if input.is_unit() => ContextBounds::Unit,
-            _ => ContextBounds::Anything,
+            _ => ContextBounds::Finite,
         };
         let source = ContextSource::Light(input);
         Self::new(input.word(), input.wgsl_type(), source, input.help()).within(bounds)
@@ -203,16 +255,7 @@ impl ContextRow {
         parts: &'static [SurfacePart],
         value: fn(&SurfacePoint) -> Value,
     ) -> Self {
-        Self { sample: ContextSample::Of { parts, value, is_unchanged: false }, ..self }
-    }
-
-    /// Row with a value at samples that looks are given unchanged, even infinite or NaN.
-    pub(super) const fn sampled_unchanged(
-        self,
-        parts: &'static [SurfacePart],
-        value: fn(&SurfacePoint) -> Value,
-    ) -> Self {
-        Self { sample: ContextSample::Of { parts, value, is_unchanged: true }, ..self }
+        Self { sample: ContextSample::Of { parts, value }, ..self }
     }
 
     /// Row with sample numbers of its own: the defaults, and the range in which they usually lie.

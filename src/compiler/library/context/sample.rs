@@ -76,9 +76,6 @@ pub enum ContextSample {
         parts: &'static [SurfacePart],
         /// Function that computes the value.
         value: fn(&SurfacePoint) -> Value,
-        /// True if looks are given the numbers unchanged, even infinite or NaN: users may ask how a
-        /// look bears such a surface.
-        is_unchanged: bool,
     },
     /// Numbers of the context's own, which a sample gives under the context's word.
     Own {
@@ -99,11 +96,6 @@ impl ContextSample {
             Self::Of { parts, .. } | Self::None(parts) => parts,
             Self::Own { .. } => &[],
         }
-    }
-
-    /// True if looks are given the numbers of a sample unchanged, even infinite or NaN.
-    pub fn is_unchanged(&self) -> bool {
-        matches!(self, Self::Of { is_unchanged: true, .. })
     }
 
     /// Value of `context`, the row's own context, at a point; `given` are the context's own numbers

@@ -55,6 +55,18 @@ pub const MAX_PLACE: f64 = 4e18;
 /// Greatest texture coordinate, and number of a vertex color: loaders clamp both.
 pub const MAX_COORDINATE: f64 = 1e6;
 
+/// Greatest curvature, in 1/viewport-height: passes and functions clamp to it (`MOST` in
+/// `shaders/lib/curvature_map.wgsl`).
+pub const MAX_CURVATURE: f64 = 1e4;
+
+/// Greatest place and size on screen, in picture heights: functions clamp to it
+/// (`MOST_ON_SCREEN` in `shaders/lib/screen.wgsl`).
+pub const MAX_ON_SCREEN: f64 = 1e15;
+
+/// Greatest number of the matrix that turns normals into world space: the host scales greater ones
+/// down, which leaves the directions of normals.
+pub const MAX_NORMAL_SCALE: f64 = 1e15;
+
 /// Rows of the table. Structs of generated modules have their members in this order.
 pub(super) const TABLE: &[Row] = &[
     Row::fragment(
@@ -106,17 +118,19 @@ pub(super) const TABLE: &[Row] = &[
     Row::fragment(
         "tangent",
         "vec3f",
-        "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)",
-        "unit, along u, world space, at a right angle to the normal",
+        "normalize_moderate(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), vec3f(0.0))",
+        "unit, along u, world space, at a right angle to the normal; 0 where there is none",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal, Tangent], |at| vec3(at.tangent)),
     Row::fragment(
         "bitangent",
         "vec3f",
-        "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), \
-         in.tangent.xyz)) * in.tangent.w",
-        "unit, along v, world space",
+        "cross(normal, normalize_moderate(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), \
+         vec3f(0.0))) * in.tangent.w",
+        "unit, along v, world space; 0 where there is none",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal, Tangent], |at| vec3(at.bitangent)),
     Row::fragment(
         "depth",
@@ -124,6 +138,7 @@ pub(super) const TABLE: &[Row] = &[
         "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
         "distance in front of the eye along the viewing axis, scene units",
     )
+    .within(ContextBounds::Within(4.0 * MAX_PLACE))
     .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
     Row::of_pass(
         "kappa",
@@ -133,7 +148,8 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("curvature")
     .cheaper(Some("kappa_sparse"), Some("kappa_fast"))
-    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_sparse",
         "f32",
@@ -141,7 +157,8 @@ pub(super) const TABLE: &[Row] = &[
         "the same from four neighbors of a pixel, two steps away",
     )
     .labeled("curvature")
-    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
     Row::derived(
         "kappa_fast",
         "f32",
@@ -150,7 +167,8 @@ pub(super) const TABLE: &[Row] = &[
          triangles show in it",
     )
     .labeled("curvature")
-    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_detail",
         "f32",
@@ -159,7 +177,8 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("detail curvature")
     .cheaper(Some("kappa_detail_sparse"), Some("kappa_detail_sparse"))
-    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_detail_sparse",
         "f32",
@@ -167,7 +186,8 @@ pub(super) const TABLE: &[Row] = &[
         "the same from four neighbors of a pixel, two steps away",
     )
     .labeled("detail curvature")
-    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
     // A sample has no neighbors, and counts as curved alike in every direction.
     Row::of_pass(
         "curvature_tensor",
@@ -177,6 +197,7 @@ pub(super) const TABLE: &[Row] = &[
          1/viewport-height, convex positive",
     )
     .cheaper(None, Some("curvature_tensor_fast"))
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
     .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
     Row::derived(
         "curvature_tensor_fast",
@@ -185,6 +206,7 @@ pub(super) const TABLE: &[Row] = &[
         "the same from the normals of neighboring pixels alone, without a pass of its own; \
          triangles show in it",
     )
+    .within(ContextBounds::Clamped(MAX_CURVATURE))
     .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
     // A sample has no neighbors, and so is smooth already.
     Row::of_pass(
@@ -194,6 +216,7 @@ pub(super) const TABLE: &[Row] = &[
         "the surface's normal smoothed over 1/570 of the picture's height, world space; 0 where \
          there is none",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal], |at| vec3(at.normal)),
     Row::of_pass(
         "smooth_normal_2",
@@ -201,6 +224,7 @@ pub(super) const TABLE: &[Row] = &[
         ("smooth_normals_2", TURNED_BACK),
         "the same over 1/250 of the height",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal], |at| vec3(at.normal)),
     Row::of_pass(
         "smooth_normal_3",
@@ -208,6 +232,7 @@ pub(super) const TABLE: &[Row] = &[
         ("smooth_normals_3", TURNED_BACK),
         "the same over 1/125 of the height",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal], |at| vec3(at.normal)),
     Row::of_pass(
         "smooth_normal_4",
@@ -215,6 +240,7 @@ pub(super) const TABLE: &[Row] = &[
         ("smooth_normals_4", TURNED_BACK),
         "the same over 1/60 of the height",
     )
+    .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal], |at| vec3(at.normal)),
     Row::host(
         "camera_from_world",
@@ -258,6 +284,7 @@ pub(super) const TABLE: &[Row] = &[
         "the pixel's place from the picture's upper left corner, x to the right and y down, in \
          pixels; centers lie at halves",
     )
+    .within(ContextBounds::Within(MAX_COORDINATE))
     .given(&[0.0, 0.0], (None, None)),
     Row::fragment(
         "anchor",
@@ -272,6 +299,7 @@ pub(super) const TABLE: &[Row] = &[
          and how large a unit of \
          the scene is seen there; in picture heights",
     )
+    .within(ContextBounds::Clamped(MAX_ON_SCREEN))
     .given(&[0.0, 0.0, 1.0], (None, None)),
     Row::fragment(
         "magnification",
@@ -283,6 +311,7 @@ pub(super) const TABLE: &[Row] = &[
         ),
         "how large a unit of the scene is seen at this distance, in picture heights",
     )
+    .within(ContextBounds::Clamped(MAX_ON_SCREEN))
     .given(&[1.0], (Some(0.0), Some(4.0))),
     Row::fragment(
         "world_from_normal",
@@ -290,5 +319,6 @@ pub(super) const TABLE: &[Row] = &[
         "object.world_from_normal",
         "turns normals and gradients of the object's own space into world space",
     )
+    .within(ContextBounds::Within(MAX_NORMAL_SCALE))
     .sampled(&[], |_| Value::matrix(&DMat3::IDENTITY.to_cols_array_2d())),
 ];
