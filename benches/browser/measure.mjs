@@ -92,7 +92,9 @@ function printTimes(api, times) {
   console.log('| --- | --- | ---: | ---: | ---: | ---: |');
   for (const { look, variants } of looks) {
     const of = (folder, what) =>
-      times.filter((time) => time.look === look && time.folder === folder).map((time) => time[what]);
+      times
+        .filter((time) => time.look === look && time.folder === folder)
+        .map((time) => time[what]);
     for (const { folder } of variants) {
       const cells = ['wall', 'cpu'].flatMap((what) => {
         const own = of(folder, what);
@@ -121,7 +123,10 @@ function cpuTime() {
   if (!existsSync('/proc/self/schedstat')) return NaN;
   gpuId ??= gpuProcess();
   const threads = `/proc/${gpuId}/task`;
-  const ofThread = (thread) => Number(textOf(join(threads, thread, 'schedstat'))?.split(' ')[0] ?? 0);
+  const ofThread = (thread) => {
+    const text = textOf(join(threads, thread, 'schedstat')) ?? '0';
+    return Number(text.split(' ')[0]);
+  };
   return readdirSync(threads).reduce((sum, thread) => sum + ofThread(thread), 0) * 1e-6;
 }
 

@@ -1,7 +1,7 @@
 // The page of measure.mjs: compiles every module in turns and draws a picture of 16x16 pixels with
-// each. Compilation is that of the pipeline and of its first picture, less a second picture: drivers
-// in software compile only where something is drawn. A factor that differs each time stands in
-// every module, so that no cache knows it.
+// each. Compilation is that of the pipeline and of its first picture, less a second picture:
+// drivers in software compile only where something is drawn. A factor that differs each time stands
+// in every module, so that no cache knows it.
 
 const SIZE = 16;
 // A triangle over the whole picture, for all attributes alike.
@@ -72,7 +72,7 @@ class WebGpu {
 
   async pipeline(code) {
     const module = this.device.createShaderModule({ code });
-    const vertex = /struct Vertex \{([^}]*)\}/.exec(code)[1];
+    const [vertex] = /struct Vertex \{[^}]*\}|fn vs_main\(.*\)/.exec(code);
     const locations = [...vertex.matchAll(/@location\((\d+)\)/g)].map((match) => Number(match[1]));
     this.slots = locations.length;
     return this.device.createRenderPipelineAsync({
@@ -200,11 +200,12 @@ class WebGl {
   bind(program) {
     const { gl } = this;
     gl.useProgram(program);
-    for (let block = 0; block < gl.getProgramParameter(program, gl.ACTIVE_UNIFORM_BLOCKS); block++) {
+    const count = (what) => gl.getProgramParameter(program, what);
+    for (let block = 0; block < count(gl.ACTIVE_UNIFORM_BLOCKS); block++) {
       gl.uniformBlockBinding(program, block, block);
       gl.bindBufferBase(gl.UNIFORM_BUFFER, block, this.units);
     }
-    for (let at = 0; at < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); at++) {
+    for (let at = 0; at < count(gl.ACTIVE_UNIFORMS); at++) {
       const { name, type } = gl.getActiveUniform(program, at);
       const location = gl.getUniformLocation(program, name);
       if (location === null) continue; // It lies in a block.
@@ -218,7 +219,7 @@ class WebGl {
       gl.uniform1i(location, at);
     }
     gl.bindVertexArray(gl.createVertexArray());
-    for (let at = 0; at < gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES); at++) {
+    for (let at = 0; at < count(gl.ACTIVE_ATTRIBUTES); at++) {
       const location = gl.getAttribLocation(program, gl.getActiveAttrib(program, at).name);
       if (location < 0) continue; // A built-in value, such as gl_VertexID.
       gl.enableVertexAttribArray(location);
