@@ -186,7 +186,7 @@ fn texture(
     })
 }
 
-/// What a module reads: matrices of 1 in every uniform buffer, and empty textures.
+/// Resources that a module reads: matrices of 1 in every uniform buffer, and empty textures.
 fn bind_group(
     device: &wgpu::Device,
     module: &Module,

@@ -100,7 +100,7 @@ class WebGpu {
     });
   }
 
-  /** What a module reads: matrices of 1 and empty textures. */
+  /** Resources that a module reads: matrices of 1 and empty textures. */
   bindGroup(code, pipeline) {
     const bindings = code.matchAll(/@binding\((\d+)\) var(<uniform>)? \w+: (\w+)/g);
     const resource = (isUniform, type) => {
@@ -196,7 +196,7 @@ class WebGl {
     return program;
   }
 
-  /** Binds what a program reads: matrices of 1 and empty textures. */
+  /** Binds resources that a program reads: matrices of 1 and empty textures. */
   bind(program) {
     const { gl } = this;
     gl.useProgram(program);
