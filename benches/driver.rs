@@ -192,7 +192,7 @@ fn bind_group(
     module: &Module,
     layout: &wgpu::BindGroupLayout,
 ) -> wgpu::BindGroup {
-    enum Bound {
+    enum BoundResource {
         Buffer(wgpu::Buffer),
         Texture(wgpu::TextureView),
         Sampler(wgpu::Sampler),
@@ -201,24 +201,24 @@ fn bind_group(
     let units: Vec<u8> = (0..4096_u32)
         .flat_map(|at| if at % 16 % 5 == 0 { 1.0_f32 } else { 0.0 }.to_le_bytes())
         .collect();
-    let bound: Vec<(u32, Bound)> = module
+    let bound: Vec<(u32, BoundResource)> = module
         .global_variables
         .iter()
         .filter_map(|(_, variable)| {
             let binding = variable.binding.as_ref()?.binding;
             let bound = match (variable.space, &module.types[variable.ty].inner) {
                 (AddressSpace::Uniform, _) => {
-                    Bound::Buffer(device.create_buffer_init(&BufferInitDescriptor {
+                    BoundResource::Buffer(device.create_buffer_init(&BufferInitDescriptor {
                         label: None,
                         contents: &units,
                         usage: wgpu::BufferUsages::UNIFORM,
                     }))
                 }
-                (_, TypeInner::Sampler { .. }) => {
-                    Bound::Sampler(device.create_sampler(&wgpu::SamplerDescriptor::default()))
-                }
+                (_, TypeInner::Sampler { .. }) => BoundResource::Sampler(
+                    device.create_sampler(&wgpu::SamplerDescriptor::default()),
+                ),
                 (_, TypeInner::Image { dim, arrayed, .. }) => {
-                    Bound::Texture(texture(device, *dim, *arrayed))
+                    BoundResource::Texture(texture(device, *dim, *arrayed))
                 }
                 _ => return None,
             };
@@ -230,9 +230,9 @@ fn bind_group(
         .map(|(binding, bound)| wgpu::BindGroupEntry {
             binding: *binding,
             resource: match bound {
-                Bound::Buffer(buffer) => buffer.as_entire_binding(),
-                Bound::Texture(view) => wgpu::BindingResource::TextureView(view),
-                Bound::Sampler(sampler) => wgpu::BindingResource::Sampler(sampler),
+                BoundResource::Buffer(buffer) => buffer.as_entire_binding(),
+                BoundResource::Texture(view) => wgpu::BindingResource::TextureView(view),
+                BoundResource::Sampler(sampler) => wgpu::BindingResource::Sampler(sampler),
             },
         })
         .collect();
@@ -240,7 +240,7 @@ fn bind_group(
 }
 
 /// A device with a picture to draw on.
-struct Canvas {
+struct PictureTarget {
     gpu: Gpu,
     clock: Clock,
     color: wgpu::TextureView,
@@ -248,9 +248,9 @@ struct Canvas {
     corners: wgpu::Buffer,
 }
 
-impl Canvas {
+impl PictureTarget {
     fn new(gpu: Gpu) -> Self {
-        let target = |format| {
+        let attachment = |format| {
             let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: None,
                 size: wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 },
@@ -269,7 +269,7 @@ impl Canvas {
             contents: &corners.collect::<Vec<u8>>(),
             usage: wgpu::BufferUsages::VERTEX,
         });
-        let [color, depth] = [FORMAT, DEPTH].map(target);
+        let [color, depth] = [FORMAT, DEPTH].map(attachment);
         Self { gpu, clock: Clock::start(), color, depth, corners }
     }
 
@@ -335,7 +335,7 @@ impl Canvas {
 }
 
 /// Prints the rows of a module.
-fn report(canvas: &Canvas, module: &str, folders: &[ModuleFolder]) {
+fn report(target: &PictureTarget, module: &str, folders: &[ModuleFolder]) {
     let folders: Vec<(&ModuleFolder, String)> = folders
         .iter()
         .filter_map(|folder| Some((folder, std::fs::read_to_string(folder.file(module)).ok()?)))
@@ -343,7 +343,7 @@ fn report(canvas: &Canvas, module: &str, folders: &[ModuleFolder]) {
     let mut times: Vec<Vec<CompileTimes>> = folders.iter().map(|_| Vec::new()).collect();
     for round in 0..ROUNDS {
         for ((_, text), times) in folders.iter().zip(&mut times) {
-            times.push(canvas.compile(&varied(text, round + 1)));
+            times.push(target.compile(&varied(text, round + 1)));
         }
     }
     let column = |times: &[CompileTimes], of: fn(&CompileTimes) -> f64| -> Vec<f64> {
@@ -389,14 +389,15 @@ fn main() {
         println!("nothing to compare: name folders of modules, as before=FOLDER now=FOLDER");
         return;
     };
-    let canvas = Canvas::new(block_on(Gpu::headless()).expect("a GPU, a software one for one"));
+    let target =
+        PictureTarget::new(block_on(Gpu::headless()).expect("a GPU, a software one for one"));
     let cache = std::env::var("MESA_SHADER_CACHE_DISABLE").unwrap_or_default();
-    println!("{}, MESA_SHADER_CACHE_DISABLE={cache}, {ROUNDS} rounds\n", canvas.gpu.name());
+    println!("{}, MESA_SHADER_CACHE_DISABLE={cache}, {ROUNDS} rounds\n", target.gpu.name());
     println!("| look | modules | driver | of the first | naga | picture |");
     println!("| --- | --- | ---: | ---: | ---: | ---: |");
     for module in modules(&first.path) {
         if words.is_empty() || words.iter().any(|word| module.contains(word.as_str())) {
-            report(&canvas, &module, &folders);
+            report(&target, &module, &folders);
         }
     }
 }
