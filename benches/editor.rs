@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures.
 //! With arguments after `--` only the named parts run: `canvas`, `latency`, `painting`, `startup`,
-//! `memory`; with numbers, looks of that many nodes.
+//! `memory`, `mesh`; with numbers, looks of that many nodes, or meshes of that many MiB.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
@@ -22,6 +22,8 @@ mod latency;
 mod looks;
 #[path = "editor/memory.rs"]
 mod memory;
+#[path = "editor/mesh.rs"]
+mod mesh;
 #[path = "editor/painting.rs"]
 mod painting;
 #[path = "editor/startup.rs"]
@@ -49,12 +51,18 @@ fn main() {
     {
         return memory::child(nodes.parse().expect("a number of nodes"));
     }
-    let parts: [(&str, fn()); 5] = [
+    if let [part, mebibytes] = asked.as_slice()
+        && part == mesh::CHILD
+    {
+        return mesh::child(mebibytes.parse().expect("a number of MiB"));
+    }
+    let parts: [(&str, fn()); 6] = [
         ("canvas", canvas::run),
         ("latency", latency::run),
         ("painting", painting::run),
         ("startup", startup::run),
         ("memory", memory::run),
+        ("mesh", mesh::run),
     ];
     let is_asked = |name: &str| asked.iter().any(|part| part == name);
     let wants_all = !parts.iter().any(|(name, _)| is_asked(name));

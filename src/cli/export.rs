@@ -109,7 +109,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let unverified = languages.iter().filter(|language| language.verified_by.is_none());
         let unverified: Vec<&str> = unverified.map(|language| language.label).collect();
         let slugs: Vec<_> = languages.iter().map(|language| language.slug).collect();
-        output.json(&json!({"files": files, "languages": slugs, "unverified": unverified}));
+        let tiers = tier::counts(&setup.look, &library);
+        output.json(&json!({
+            "files": files, "languages": slugs, "unverified": unverified, "tiers": tiers,
+        }));
     } else {
         files.iter().for_each(|file| output.result(file));
         tier::told(&setup.look, &library).iter().for_each(|told| output.message(told));

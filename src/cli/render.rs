@@ -86,7 +86,7 @@ pub(super) struct Arguments {
     /// Replace a file that Chiaro did not render
     #[arg(long)]
     force: bool,
-    /// Print what was done as JSON: size, seconds, adapter, passes that ran, warnings
+    /// Print what was done as JSON: size, seconds, adapter, passes that ran, tiers, warnings
     #[arg(long)]
     json: bool,
 }
@@ -188,10 +188,14 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let (file, adapter) = (target.display().to_string(), executor.name());
     if arguments.json {
         let passes: Vec<PassId> = plan.passes.iter().map(|pass| pass.id).collect();
+        let looks = setup.looks.iter().map(|worn| &worn.look);
+        let looks: Vec<_> = looks
+            .map(|look| json!({"name": look.name, "tiers": tier::counts(look, &library)}))
+            .collect();
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples,
             "time": arguments.time,
-            "adapter": adapter, "seconds": clock.seconds(), "passes": passes,
+            "adapter": adapter, "seconds": clock.seconds(), "passes": passes, "looks": looks,
             "warnings": once(warnings),
         }));
     } else {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::compile::{TierReason, check};
 use crate::document::{Look, MAX_ERROR, Tier};
+use crate::export::description::TierCounts;
 use crate::library::Library;
 
 /// Choice of `--tier`.
@@ -33,6 +34,13 @@ pub(super) fn parse(text: &str) -> Result<TierChoice, String> {
         "fast" => Ok(TierChoice::Every(Tier::Fast)),
         _ => Err("it is automatic, exact, balanced or fast".to_owned()),
     }
+}
+
+/// Numbers of a look's nodes in each tier, as descriptions of exports have them; `None` for a look
+/// that cannot be compiled.
+pub(super) fn counts(look: &Look, library: &Library) -> Option<TierCounts> {
+    let typed = check(look, library, None).ok()?.value;
+    Some(TierCounts::of(look, &typed))
 }
 
 /// Sentence on the tiers that a look's nodes were given because none is named for them; `None`

@@ -217,7 +217,7 @@ fn write(
     for (node, tier) in tuned.tiers() {
         Variant::set_tier(&mut look, node, tier);
     }
-    // Nodes that have no tiers to measure keep the bound, too.
+    // Nodes in groups that name no tier, and those that are added later, keep the bound, too.
     if let Goal::MaxError(most) = tuned.goal {
         look.max_error = look.max_error.min(most);
     }
@@ -244,7 +244,7 @@ fn report(tuned: &TuneReport) -> String {
             (true, ..) => "chosen".to_owned(),
             (_, false, _) => "cannot be told apart from exact in time: stays exact".to_owned(),
             (_, _, Some(other)) => {
-                let tier = tier_word(Some(other.tier));
+                let tier = tier_word(other.tier);
                 format!("cannot be told apart from {tier} in time, which is nearer to the truth")
             }
             _ => "too far from the truth, or another tier of this node is better".to_owned(),
@@ -252,7 +252,7 @@ fn report(tuned: &TuneReport) -> String {
         lines.push(format!(
             "  {} {}: error {:.1e}, saves {:.3} ms ({:.3} to {:.3}): {state}",
             candidate.node,
-            tier_word(Some(candidate.tier)),
+            tier_word(candidate.tier),
             candidate.error,
             candidate.saves.median,
             candidate.saves.low,

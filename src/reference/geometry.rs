@@ -1,6 +1,7 @@
 //! Geometry of a draw: its vertices, shaded once each, and the tiles that its triangles touch.
 
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use super::coverage::Pixels;
 use super::options::ReferenceOptions;
@@ -61,19 +62,19 @@ impl<'a> Geometry<'a> {
         }
         let shader = triangles.shader;
         let stride = 4 + shader.varyings().iter().map(|varying| varying.components).sum::<usize>();
+        // One list for all, as large as a mesh is, which the system gets back: of many lists of a
+        // few hundred KiB the allocator keeps the memory.
+        let mut numbers = vec![0.0; used.len() * stride];
+        let parts: Vec<Mutex<&mut [f64]>> =
+            numbers.chunks_mut(VERTICES * stride).map(Mutex::new).collect();
         let shade = |stage: &mut Box<dyn super::shader::VertexStage + '_>, number: usize| {
             let some = used.chunks(VERTICES).nth(number).unwrap_or_default();
-            let mut numbers = vec![0.0; some.len() * stride];
-            stage.shade(some, &mut numbers).map(|()| numbers)
+            let mut part = parts[number].lock().unwrap_or_else(PoisonError::into_inner);
+            stage.shade(some, &mut part)
         };
-        let lists = pool::run(
-            options.threads,
-            used.len().div_ceil(VERTICES),
-            progress,
-            || shader.vertices(),
-            shade,
-        )?;
-        Ok(Self { draw, triangles, first, places, numbers: lists.concat(), stride })
+        pool::run(options.threads, parts.len(), progress, || shader.vertices(), shade)?;
+        drop(parts);
+        Ok(Self { draw, triangles, first, places, numbers, stride })
     }
 
     /// Size in memory, in bytes.

@@ -453,7 +453,7 @@ fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize
         VertexAttribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
         VertexAttribute::Tangent => mesh.tangents.get(vertex).map(|v| v.as_slice()),
         VertexAttribute::Uv => mesh.uvs.get(vertex).map(|v| v.as_slice()),
-        VertexAttribute::Color => mesh.colors.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Color => Some(mesh.colors.get(vertex).unwrap_or(&Mesh::WHITE).as_slice()),
     })
 }
 

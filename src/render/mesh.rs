@@ -67,12 +67,16 @@ impl Meshes {
             }
         });
         for &attribute in attributes {
+            let colors;
             let contents: &[u8] = match attribute {
                 VertexAttribute::Position => bytemuck::cast_slice(&mesh.positions),
                 VertexAttribute::Normal => bytemuck::cast_slice(&mesh.normals),
                 VertexAttribute::Tangent => bytemuck::cast_slice(&mesh.tangents),
                 VertexAttribute::Uv => bytemuck::cast_slice(&mesh.uvs),
-                VertexAttribute::Color => bytemuck::cast_slice(&mesh.colors),
+                VertexAttribute::Color => {
+                    colors = mesh.all_colors();
+                    bytemuck::cast_slice(&colors)
+                }
             };
             let made = || buffer(attribute.name(), contents, wgpu::BufferUsages::VERTEX);
             buffers.attributes.entry(attribute).or_insert_with(made);

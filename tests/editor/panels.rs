@@ -247,6 +247,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
 
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
+    use chiaro::accuracy::MeasuredTier;
     use chiaro::document::Tier;
     let mut hand = User::drawing_with(|app, _| app);
     click_label(&mut hand, "Cost and accuracy");
@@ -256,7 +257,9 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     click_label(&mut hand, "Measure");
     hand.settle();
     let report = hand.app().cost().report().expect("it was measured");
-    assert!(report.rows.iter().any(|row| row.tier == Some(Tier::Fast) && row.error.is_some()));
+    let is_measured =
+        |tier: MeasuredTier| report.rows.iter().any(|row| row.tier == tier && row.error.is_some());
+    assert!(is_measured(MeasuredTier::Named(Tier::Fast)) && is_measured(MeasuredTier::Automatic));
     let plot = hand.harness.get_by_label("Error against time").rect();
     // The wheel scrolls to the table, which is below the plot.
     let row = "Adopt fast for Whole look";

@@ -6,7 +6,8 @@ use crate::support::eval::look;
 use crate::support::wait::block_on;
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
 use chiaro::accuracy::{
-    BenchOptions, Measure, MeasureError, MeasuredNodes, MeasurementSubject, Variant, bench,
+    BenchOptions, Measure, MeasureError, MeasuredNodes, MeasuredTier, MeasurementSubject, Variant,
+    bench,
 };
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
@@ -55,7 +56,11 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
             .unwrap();
     assert!(progress.steps()[0] > 9, "progress is told");
     let rows = |tier, is: &dyn Fn(&MeasurementSubject) -> bool| -> Vec<_> {
-        report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
+        report
+            .rows
+            .iter()
+            .filter(|row| row.tier == MeasuredTier::Named(tier) && is(&row.subject))
+            .collect()
     };
     let whole = |subject: &MeasurementSubject| *subject == MeasurementSubject::Whole;
     let named = |wanted: &'static str| {

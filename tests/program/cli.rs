@@ -980,6 +980,11 @@ fn chosen_tiers_are_told_and_can_be_asked_for() {
     let described: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert!(described["tiers"]["balanced"].as_u64().unwrap() > 0, "{}", described["tiers"]);
     assert_eq!(described["tiers"]["max_error"], 1.0 / 255.0);
+    let exported = ["export", "flat.json", "--to", "wgsl", "-o", "out", "--json"];
+    assert_eq!(shop.run(&exported).ok().json()["tiers"], described["tiers"]);
+    let rendered = ["render", "flat.json", "-o", "a.png", "--size", "16x16", "--json"];
+    let rendered = shop.run(&rendered).ok().json();
+    assert_eq!(rendered["looks"][0]["tiers"], described["tiers"]);
     let exact = ["export", "flat.json", "--to", "wgsl", "--tier", "exact", "-o", "exact"];
     assert!(!shop.run(&exact).ok().err.contains("automatic"), "every tier is named");
 }

@@ -146,6 +146,113 @@ fn what_is_read_again_much_later_is_handed_on() {
     }
 }
 
+/// Drivers compile in a time that is quadratic in the operations without a branch between them, and
+/// by recursion over those that follow from one another; but they bear few loops.
+#[test]
+fn long_looks_are_handed_over_in_pieces() {
+    use chiaro::wgsl::depth_of_entry_points;
+    let pieces = |count, options: &CompileOptions| {
+        let shader = compile(&look_of(chain(count)), Library::built_in(), options);
+        let shader = shader.expect("it compiles").value;
+        let loops = shader.wgsl.matches("for (var turn").count();
+        (loops, depth_of_entry_points(&shader.valid.module))
+    };
+    let drawn = CompileOptions::default();
+    assert_eq!(pieces(1000, &drawn).0, 0, "short looks stay as a person would write them");
+    let (loops, depth) = pieces(20_000, &drawn);
+    assert!((5..10).contains(&loops), "{loops}");
+    assert!(depth < 20_000 / 4, "{depth}");
+    let (loops, depth) = pieces(20_000, &CompileOptions { unspecialized: true, ..drawn });
+    assert!(loops == 0 && depth > 20_000, "what no driver sees is left alone: {loops}, {depth}");
+}
+
+/// The pieces of a long look are the look: the interpreter, which has no driver, agrees.
+#[cfg(feature = "gpu")]
+#[test]
+fn pieces_of_a_long_look_change_nothing() {
+    use chiaro::frame::{Assets, EvalSample, SetupLook, eval_batches};
+    use chiaro::interp::Precision;
+    const COUNT: usize = 3000;
+    let loaded = chain(COUNT);
+    let source = loaded.source.clone().into();
+    let setup = SetupLook { look: look_of(loaded), source, folder: std::path::PathBuf::new() };
+    let samples = [EvalSample { kappa: 2.5, ..EvalSample::default() }];
+    let options = support::eval::options(&format!("n{}.sum", COUNT - 1));
+    let mut assets = Assets::default();
+    let batches = eval_batches(&setup, Library::built_in(), &samples, &options, &mut assets);
+    let batches = batches.unwrap_or_else(|problems| panic!("{}", support::eval::told(&problems)));
+    let wanted =
+        (0..COUNT).map(step).fold(2.5, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
+    let found = chiaro::reference::evaluate(&batches[0], Precision::F64).expect("it runs");
+    assert!((found[0][0] - wanted).abs() < 1e-9, "{} for {wanted}", found[0][0]);
+}
+
+/// Chain of sums, products, sines and absolute values, begun with how much a surface faces the eye.
+#[cfg(feature = "gpu")]
+fn waves(count: usize) -> chiaro::frame::SetupLook {
+    let mut nodes = vec![json!({"id": "start", "kind": "facing"})];
+    let mut wires = Vec::new();
+    let mut from = "start".to_owned();
+    for index in 0..count {
+        let id = format!("n{index}");
+        let (kind, port) =
+            [("add", "a"), ("multiply", "a"), ("sine", "angle"), ("absolute", "value")][index % 4];
+        let b = 0.3 + 0.17 * (index % 5) as f64;
+        let values = if port == "a" { json!({"b": b}) } else { json!({}) };
+        nodes.push(json!({"id": id, "kind": kind, "values": values}));
+        wires.push(json!({"from": from, "to": format!("{id}.{port}")}));
+        from = id;
+    }
+    nodes.push(json!({"id": "output", "kind": "output"}));
+    wires.push(json!({"from": from, "to": "output.color"}));
+    support::eval::look(&json!({"nodes": nodes, "wires": wires}))
+}
+
+/// Draws a long chain, holds pixels against the f64 reference, and returns the seconds of drawing.
+#[cfg(feature = "gpu")]
+fn draws_as_the_reference_does(count: usize) -> f64 {
+    use crate::support::wait::block_on;
+    use chiaro::clock::Clock;
+    use chiaro::compile::Live;
+    use chiaro::frame::{Assets, Executor as _, PlanOptions, Planner, default_setup};
+    use chiaro::progress::Progress;
+    let setup = default_setup(waves(count), "shape:sphere", &mut Assets::default());
+    let setup = setup.expect("a sphere").value;
+    let options = PlanOptions { size: [24, 24], samples: 1, time: 0.0 };
+    let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
+    let plan = plan.expect("a plan").value;
+    let clock = Clock::start();
+    let drawn = block_on(support::eval::renderer().picture(&plan)).expect("it is drawn");
+    let seconds = clock.seconds();
+    let mut reference = chiaro::reference::Reference::default();
+    let wanted = block_on(reference.picture(&plan, &Progress::new())).expect("it is drawn");
+    let is_inside = |index: usize| {
+        let [x, y] = [index % 24, index / 24];
+        x.abs_diff(12).pow(2) + y.abs_diff(12).pow(2) < 36
+    };
+    let (drawn, wanted) = (drawn.to_rgba8(), wanted.to_rgba8());
+    let pixels = drawn.chunks(4).zip(wanted.chunks(4)).enumerate();
+    for (index, (drawn, wanted)) in pixels.filter(|(index, _)| is_inside(*index)) {
+        assert!(drawn.iter().zip(wanted).all(|(a, b)| a.abs_diff(*b) < 3), "{index}");
+    }
+    seconds
+}
+
+/// A driver took 200 s for such a look once, and a thread's stack.
+#[cfg(feature = "gpu")]
+#[test]
+fn five_thousand_nodes_are_drawn() {
+    draws_as_the_reference_does(5000);
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+#[ignore = "soak: a driver compiles for a minute"]
+fn soak_twenty_thousand_nodes_are_drawn() {
+    let seconds = draws_as_the_reference_does(20_000);
+    assert!(seconds < 600.0, "{seconds} s");
+}
+
 #[test]
 fn twenty_thousand_nodes_compile() {
     compiles(20_000);

@@ -82,7 +82,7 @@ fn numbers_of_attributes_are_those_that_shaders_are_promised() {
 fn check(mesh: &Mesh) {
     let count = mesh.positions.len();
     assert_eq!(
-        [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()],
+        [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.all_colors().len()],
         [count; 4]
     );
     assert!(mesh.indices.iter().all(|&i| (i as usize) < count));
@@ -90,6 +90,7 @@ fn check(mesh: &Mesh) {
         mesh.parts.iter().flat_map(|p| [p.indices.start, p.indices.end]).collect();
     assert!(parts.chunks(2).zip(parts[2..].chunks(2)).all(|(a, b)| a[1] == b[0]));
     assert_eq!((parts.first(), parts.last()), (Some(&0), Some(&(mesh.indices.len() as u32))));
+    let colors = mesh.all_colors();
     for v in 0..count {
         let (normal, tangent) = (Vec3::from(mesh.normals[v]), Vec4::from(mesh.tangents[v]));
         assert!((normal.length() - 1.0).abs() < 1e-5);
@@ -97,11 +98,7 @@ fn check(mesh: &Mesh) {
         assert!(tangent.truncate().dot(normal).abs() < 1e-5);
         assert_eq!(tangent.w.abs(), 1.0);
         assert!(
-            mesh.positions[v]
-                .iter()
-                .chain(&mesh.uvs[v])
-                .chain(&mesh.colors[v])
-                .all(|x| x.is_finite())
+            mesh.positions[v].iter().chain(&mesh.uvs[v]).chain(&colors[v]).all(|x| x.is_finite())
         );
         let is_far = |x: &f32| f64::from(x.abs()) > MAX_COORDINATE;
         assert!(!mesh.uvs[v].iter().chain(&mesh.colors[v]).any(is_far));

@@ -155,6 +155,16 @@ impl NodeModule {
         self.part(function).ok().and_then(count).unwrap_or_default()
     }
 
+    /// Number of loops of a function, with those of the functions that it calls; 0 where there is
+    /// no such function.
+    pub fn loops(&self, function: &str) -> u64 {
+        let count = |part: &ModulePart| {
+            let handle = part.functions.get(function)?;
+            Some(part.operations.loops_of_handle(*handle))
+        };
+        self.part(function).ok().and_then(count).unwrap_or_default()
+    }
+
     /// Greatest difference that forms of the balanced tier make of a function, and of all that it
     /// calls.
     pub fn form_error(&self, function: &str) -> f64 {

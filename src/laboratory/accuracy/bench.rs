@@ -3,7 +3,7 @@
 
 use super::cost::{Series, alternate};
 use super::error::VISIBLE;
-use super::report::{BenchReport, MeasurementRow, MeasurementSubject};
+use super::report::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 use super::size::Sizes;
 use super::truth::Truth;
 use super::variant::{Variant, can_be_left_out, tiers_of};
@@ -165,27 +165,28 @@ impl Bench<'_> {
         }
     }
 
-    /// Rows of the whole look, in each tier and in the tiers that the document asks for; each with
-    /// the rows of its passes.
+    /// Rows of the whole look, in each tier, in those that are chosen automatically and in those
+    /// that the document asks for; each with the rows of its passes.
     async fn looks(
         &mut self,
         tiers: &[Tier],
         truth: Option<&Truth>,
         progress: &Progress,
     ) -> Result<Vec<MeasurementRow>, MeasureError> {
-        let mut variants: Vec<(MeasurementSubject, Option<Tier>, Variant)> = tiers
-            .iter()
-            .map(|&tier| (MeasurementSubject::Whole, Some(tier), Variant::Looks(tier)))
-            .collect();
+        let mut variants: Vec<(MeasuredTier, Variant)> =
+            tiers.iter().map(|&tier| (MeasuredTier::Named(tier), Variant::Looks(tier))).collect();
+        if tiers.len() > 1 {
+            variants.push((MeasuredTier::Automatic, Variant::Automatic));
+        }
         let asked = Variant::Asked.of(self.setup);
         let is_one_of_them =
-            tiers.iter().any(|&tier| same_looks(&Variant::Looks(tier).of(self.setup), &asked));
+            variants.iter().any(|(_, variant)| same_looks(&variant.of(self.setup), &asked));
         if !is_one_of_them {
-            variants.push((MeasurementSubject::Whole, None, Variant::Asked));
+            variants.push((MeasuredTier::AsSet, Variant::Asked));
         }
         let plans = variants
             .iter()
-            .map(|(_, _, variant)| self.plan(variant))
+            .map(|(_, variant)| self.plan(variant))
             .collect::<Result<Vec<_>, _>>()?;
         let series = alternate(
             self.renderer,
@@ -195,7 +196,7 @@ impl Bench<'_> {
         )
         .await?;
         let mut rows = Vec::new();
-        for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
+        for (((tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
             let error = self.error(plan, truth).await?;
             let passes =
                 series.passes.iter().filter(|_| series.passes.len() > 1).map(|(pass, times)| {
@@ -208,7 +209,7 @@ impl Bench<'_> {
                     }
                 });
             let row = MeasurementRow {
-                subject,
+                subject: MeasurementSubject::Whole,
                 tier,
                 time: series.estimate(),
                 sizes: Some(Sizes::of(plan)),
@@ -258,7 +259,7 @@ impl Bench<'_> {
             let error = self.error(plan, truth).await?;
             rows.push(MeasurementRow {
                 subject,
-                tier: Some(tier),
+                tier: MeasuredTier::Named(tier),
                 time: Series::over(series, &without),
                 sizes: Some(sizes),
                 error,

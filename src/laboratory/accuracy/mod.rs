@@ -27,7 +27,7 @@ pub use bench::{BenchOptions, MeasuredNodes, bench};
 pub use cost::{Series, TimeEstimate};
 pub use error::{ErrorFigures, PremultipliedPicture, compare};
 pub use measure::Measure;
-pub use report::{BenchReport, MeasurementRow, MeasurementSubject};
+pub use report::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 pub use truth::Truth;
 pub use variant::Variant;
 

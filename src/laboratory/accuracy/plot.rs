@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use super::Measure;
-use super::report::{BenchReport, MeasurementRow, MeasurementSubject, pareto_front_by, tier_word};
+use super::report::{
+    BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject, pareto_front_by,
+};
 use crate::document::Tier;
 use crate::drawing::escaped;
 
@@ -161,10 +163,11 @@ fn point(
     (x, labels): (&Axis, &mut Vec<(f64, f64)>),
 ) {
     let color = match row.tier {
-        Some(Tier::Exact) => "#35618f",
-        Some(Tier::Balanced) => "#4f8f5b",
-        Some(Tier::Fast) => "#c0583f",
-        None => "#6d5a8c",
+        MeasuredTier::Named(Tier::Exact) => "#35618f",
+        MeasuredTier::Named(Tier::Balanced) => "#4f8f5b",
+        MeasuredTier::Named(Tier::Fast) => "#c0583f",
+        MeasuredTier::Automatic => "#8a6d1f",
+        MeasuredTier::AsSet => "#6d5a8c",
     };
     let (low, high) = (x.at(row.time.low.max(1e-6)), x.at(row.time.high.max(1e-6)));
     let _ = writeln!(
@@ -179,8 +182,8 @@ fn point(
     }
     labels.push((at_x, label_y));
     let name = match &row.subject {
-        MeasurementSubject::Node { name, .. } => format!("{name}, {}", tier_word(row.tier)),
-        _ => tier_word(row.tier).to_owned(),
+        MeasurementSubject::Node { name, .. } => format!("{name}, {}", row.tier.word()),
+        _ => row.tier.word().to_owned(),
     };
     let anchor = if at_x > WIDTH - 140.0 { "end" } else { "start" };
     let _ = writeln!(

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::size::Sizes;
 use super::{ErrorFigures, Measure, TimeEstimate};
@@ -50,13 +50,59 @@ pub enum MeasurementSubject {
     },
 }
 
+/// Tiers that a row measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeasuredTier {
+    /// One tier.
+    Named(Tier),
+    /// The cheapest tier of each node whose difference nobody can see.
+    Automatic,
+    /// The tiers that the document asks for, where they are none of the others.
+    AsSet,
+}
+
+impl MeasuredTier {
+    /// True if the tiers can be adopted: they are not those of the document already.
+    pub fn is_choice(self) -> bool {
+        self != Self::AsSet
+    }
+
+    /// The tier of a look that has adopted this one.
+    pub fn of_look(self) -> Option<Tier> {
+        match self {
+            Self::Named(tier) => Some(tier),
+            Self::Automatic | Self::AsSet => None,
+        }
+    }
+
+    /// Word for the tiers in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Named(tier) => tier_word(tier),
+            Self::Automatic => "automatic",
+            Self::AsSet => "as set",
+        }
+    }
+}
+
+impl Serialize for MeasuredTier {
+    /// A tier by its word, `automatic`, or null for the document's own.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Named(tier) => tier.serialize(serializer),
+            Self::Automatic => serializer.serialize_str("automatic"),
+            Self::AsSet => serializer.serialize_none(),
+        }
+    }
+}
+
 /// One measurement.
 #[derive(Clone, Debug, Serialize)]
 pub struct MeasurementRow {
     /// Subject of the measurement.
     pub subject: MeasurementSubject,
-    /// Tier that was measured; `None` for the tiers that the document asks for.
-    pub tier: Option<Tier>,
+    /// Tiers that were measured.
+    pub tier: MeasuredTier,
     /// Time a frame, in milliseconds.
     pub time: TimeEstimate,
     /// Sizes of the frame plan; `None` for a pass.
@@ -110,12 +156,11 @@ pub fn pareto_front_by(rows: &[&MeasurementRow], measure: Measure) -> Vec<usize>
 }
 
 /// Word for a tier in reports.
-pub fn tier_word(tier: Option<Tier>) -> &'static str {
+pub fn tier_word(tier: Tier) -> &'static str {
     match tier {
-        Some(Tier::Exact) => "exact",
-        Some(Tier::Balanced) => "balanced",
-        Some(Tier::Fast) => "fast",
-        None => "as set",
+        Tier::Exact => "exact",
+        Tier::Balanced => "balanced",
+        Tier::Fast => "fast",
     }
 }
 
@@ -134,7 +179,7 @@ impl BenchReport {
                 lines,
                 "{}: {is_within} {most:.2e} by {} ({error:.1e}); {} of {} pixels differ by more \
                  than 1/255, most at {x},{y}",
-                tier_word(row.tier),
+                row.tier.word(),
                 measure.word(),
                 figures.visible,
                 figures.pixels,
@@ -214,7 +259,7 @@ fn cells(row: &MeasurementRow) -> [String; 12] {
     };
     [
         row.name(),
-        tier_word(row.tier).to_owned(),
+        row.tier.word().to_owned(),
         format!("{:.3}{noise}", row.time.median),
         format!("{:.3}", row.time.low),
         format!("{:.3}", row.time.high),
@@ -246,7 +291,7 @@ mod tests {
     fn row(time: f64, error: f64) -> MeasurementRow {
         MeasurementRow {
             subject: MeasurementSubject::Whole,
-            tier: None,
+            tier: MeasuredTier::AsSet,
             time: TimeEstimate { median: time, low: time, high: time },
             sizes: None,
             error: Some(ErrorFigures { max: error, ..ErrorFigures::default() }),

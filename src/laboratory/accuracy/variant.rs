@@ -14,6 +14,8 @@ pub enum Variant {
     Asked,
     /// Every node of every look in this tier.
     Looks(Tier),
+    /// No tier named in any look: every node in the cheapest whose difference nobody can see.
+    Automatic,
     /// One node of one look in this tier, all else exact.
     Node {
         /// Index of the look in the setup.
@@ -42,6 +44,7 @@ impl Variant {
         }
         match self {
             Self::Asked | Self::Looks(_) => {}
+            Self::Automatic => setup.looks.iter_mut().for_each(|look| look.look.tier = None),
             Self::Node { look, node, tier } => {
                 edit(&mut setup, *look, node, |node| node.tier = Some(*tier));
             }
@@ -77,7 +80,7 @@ fn edit(setup: &mut Setup, look: usize, node: &NodeId, change: impl FnOnce(&mut 
 }
 
 /// The tiers that differ for a node, groups included: `exact`, and every cheaper one that the node
-/// or a node within its group has a function for.
+/// or a node within its group has a function for, or rules of the functions that it calls.
 pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
     let mut tiers = vec![Tier::Exact];
     let mut open = vec![kind];
@@ -104,8 +107,9 @@ pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
     tiers
 }
 
-fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> + '_ {
-    def.tiers().into_iter()
+fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> {
+    let by_rules = (def.form_error() > 0.0).then_some(Tier::Balanced);
+    def.tiers().into_iter().chain(by_rules)
 }
 
 /// True if a look still makes sense without a node: each of its outputs can pass an input through
@@ -126,4 +130,22 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
         _ => return false,
     };
     can_be_muted(&inputs, &outputs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a look leaves to the automatic choice is measured, too: else a tuned look would have
+    /// tiers that nobody measured.
+    #[test]
+    fn every_node_that_can_be_cheaper_has_tiers_to_measure() {
+        let library = Library::built_in();
+        let cheaper = library.nodes.iter().filter(|(_, def)| def.has_cheaper());
+        let kinds: Vec<&str> = cheaper.map(|(kind, _)| kind.as_str()).collect();
+        assert!(kinds.contains(&"sine") && kinds.contains(&"profile"), "{kinds:?}");
+        for kind in kinds {
+            assert!(tiers_of(&Look::default(), library, kind).len() > 1, "{kind}");
+        }
+    }
 }

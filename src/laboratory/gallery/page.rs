@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::entry::GalleryEntry;
 use super::{GENERATOR, GalleryOptions, List, Section};
-use crate::accuracy::report::{MeasurementRow, MeasurementSubject, tier_word};
+use crate::accuracy::report::{MeasurementRow, MeasurementSubject};
 use crate::catalog::Catalog;
 use crate::document::Look;
 use crate::drawing::{escaped, graph_svg};
@@ -184,7 +184,7 @@ fn costs(rows: &[MeasurementRow]) -> String {
     );
     for row in rows {
         let what = match &row.subject {
-            MeasurementSubject::Whole => tier_word(row.tier).to_owned(),
+            MeasurementSubject::Whole => row.tier.word().to_owned(),
             MeasurementSubject::Pass(kind) => format!("&nbsp;&nbsp;{} pass", kind.label()),
             MeasurementSubject::Node { name, .. } => escaped(name),
         };

@@ -109,8 +109,16 @@ impl Walk<'_> {
                     cases.iter().for_each(|case| self.block(&case.body, frame));
                 }
                 Statement::Loop { body, continuing, .. } => {
+                    let before = frame.locals.clone();
                     self.block(body, frame);
                     self.block(continuing, frame);
+                    if self.is_of_unknown_rounds(body, frame.function) {
+                        // What is stored in the loop is no operation behind it, but a choice
+                        // between rounds, at which recursion ends.
+                        for (local, before) in frame.locals.iter_mut().zip(before) {
+                            *local = if *local > before { 0 } else { *local };
+                        }
+                    }
                 }
                 Statement::Store { pointer, value } => {
                     let depth = self.value(*value, frame).most();
@@ -129,6 +137,36 @@ impl Walk<'_> {
                 _ => {}
             }
         }
+    }
+
+    /// True if a loop ends where a function says so that takes nothing and reads what the host
+    /// gives: no driver can know the number of its rounds, and unroll it.
+    fn is_of_unknown_rounds(&self, body: &Block, function: &Function) -> bool {
+        let reads_host = |callee: Handle<Function>| {
+            let callee = &self.module.functions[callee];
+            callee.arguments.is_empty()
+                && callee
+                    .expressions
+                    .iter()
+                    .any(|(_, expression)| matches!(expression, Expression::GlobalVariable(_)))
+        };
+        let is_unknown = |condition: Handle<Expression>| {
+            let mut open = vec![condition];
+            while let Some(at) = open.pop() {
+                match &function.expressions[at] {
+                    Expression::CallResult(callee) if reads_host(*callee) => return true,
+                    expression => open.extend(operands(expression)),
+                }
+            }
+            false
+        };
+        let breaks = |block: &Block| block.iter().any(|inner| matches!(inner, Statement::Break));
+        body.iter().any(|statement| match statement {
+            Statement::If { condition, accept, reject } => {
+                (breaks(accept) || breaks(reject)) && is_unknown(*condition)
+            }
+            _ => false,
+        })
     }
 
     fn call(
@@ -323,6 +361,25 @@ mod tests {
         assert_eq!(depth(into, "var y = x * x; into(&y); into(&y); return vec4f(y);"), 3);
         let private = "var<private> p: f32; fn next() { p = p * 2.0; }";
         assert_eq!(depth(private, "p = x; next(); next(); next(); return vec4f(p);"), 3);
+    }
+
+    #[test]
+    fn loops_of_unknown_rounds_end_a_chain() {
+        let step = "fn step_on(y: f32) -> f32 { return y * 2.0 + 1.0; }
+            @group(0) @binding(0) var<uniform> host: vec4f;
+            fn turns() -> u32 { return select(1u, 2u, host.x > 1.0); }
+            fn known() -> u32 { return 1u; }";
+        let looped = |rounds: &str| {
+            let body = format!(
+                "let a = step_on(step_on(x)); var b: f32;
+                for (var i = 0u; i < {rounds}; i++) {{ b = step_on(step_on(step_on(a))); }}
+                return vec4f(step_on(b));"
+            );
+            depth(step, &body)
+        };
+        assert_eq!(looped("turns()"), 10);
+        assert_eq!(looped("known()"), 12);
+        assert_eq!(looped("1u"), 12);
     }
 
     #[test]

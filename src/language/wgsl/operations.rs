@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use naga::{Expression, Function, Handle, Module};
+use naga::{Block, Expression, Function, Handle, Module, Statement};
 
 /// Numbers of operations of every function of a module, those of called functions included.
 ///
@@ -13,6 +13,8 @@ use naga::{Expression, Function, Handle, Module};
 pub struct Operations {
     /// Counts in the order of the module's functions.
     functions: Vec<u64>,
+    /// Numbers of loops in the same order.
+    loops: Vec<u64>,
 }
 
 impl Operations {
@@ -21,8 +23,9 @@ impl Operations {
         let mut counted = Self::default();
         // naga lists a function after all that it calls.
         for (_, function) in module.functions.iter() {
-            let count = counted.within(function);
+            let (count, loops) = (counted.within(function), counted.loops_within(&function.body));
             counted.functions.push(count);
+            counted.loops.push(loops);
         }
         counted
     }
@@ -37,6 +40,12 @@ impl Operations {
     /// Number of operations of a function of the module that was counted.
     pub fn of_handle(&self, function: Handle<Function>) -> u64 {
         self.called(function)
+    }
+
+    /// Number of loops of a function of the module that was counted, with those of called
+    /// functions, once for each call.
+    pub fn loops_of_handle(&self, function: Handle<Function>) -> u64 {
+        self.loops.get(function.index()).copied().unwrap_or_default()
     }
 
     /// Number of operations of a module's entry points.
@@ -67,6 +76,27 @@ impl Operations {
         let counts =
             function.expressions.iter().map(|(_, expression)| self.of_expression(expression));
         counts.fold(0, u64::saturating_add)
+    }
+
+    /// Number of loops of a block. WGSL allows blocks within blocks at most 127 deep.
+    fn loops_within(&self, block: &Block) -> u64 {
+        let loops = block.iter().map(|statement| match statement {
+            Statement::Block(inner) => self.loops_within(inner),
+            Statement::If { accept, reject, .. } => {
+                self.loops_within(accept).saturating_add(self.loops_within(reject))
+            }
+            Statement::Switch { cases, .. } => {
+                let loops = cases.iter().map(|case| self.loops_within(&case.body));
+                loops.fold(0, u64::saturating_add)
+            }
+            Statement::Loop { body, continuing, .. } => {
+                let inner = self.loops_within(body).saturating_add(self.loops_within(continuing));
+                inner.saturating_add(1)
+            }
+            Statement::Call { function, .. } => self.loops_of_handle(*function),
+            _ => 0,
+        });
+        loops.fold(0, u64::saturating_add)
     }
 
     fn called(&self, function: Handle<Function>) -> u64 {
@@ -113,5 +143,24 @@ mod tests {
             of_outer += if line.contains(&span.start) { count } else { 0 };
         });
         assert_eq!(of_outer, 5);
+    }
+
+    #[test]
+    fn loops_count_once_for_each_call() {
+        let source = "
+            fn inner(x: f32) -> f32 {
+                var y = x;
+                for (var i = 0; i < 3; i++) { while (y > 1.0) { y *= 0.5; } }
+                return y;
+            }
+            fn outer(x: f32) -> f32 {
+                if x > 0.0 { return inner(x) + inner(2.0 * x); }
+                loop { break; }
+                return x;
+            }";
+        let module = crate::wgsl::parse(source).unwrap().module;
+        let operations = Operations::of(&module);
+        let loops = module.functions.iter().map(|(handle, _)| operations.loops_of_handle(handle));
+        assert_eq!(loops.collect::<Vec<_>>(), [2, 5]);
     }
 }

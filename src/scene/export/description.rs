@@ -121,7 +121,8 @@ pub struct TierCounts {
 }
 
 impl TierCounts {
-    fn of(look: &Look, typed: &TypedGraph) -> Self {
+    /// Counts the nodes of a look that was checked.
+    pub fn of(look: &Look, typed: &TypedGraph) -> Self {
         let nodes = || typed.nodes.iter().filter(|node| node.def.has_cheaper());
         let count = |tier: Tier| nodes().filter(|node| node.tier == tier).count();
         let is_chosen = nodes().any(|node| node.tier_reason != TierReason::Named);

@@ -64,7 +64,7 @@ fn mesh(mesh: &Mesh, sink: Sink<'_>) {
     sink(&floats(&mesh.normals));
     sink(&floats(&mesh.tangents));
     sink(&floats(&mesh.uvs));
-    sink(&floats(&mesh.colors));
+    sink(&floats(&mesh.all_colors()));
     let indices: Vec<u8> = mesh.indices.iter().flat_map(|index| index.to_le_bytes()).collect();
     sink(&indices);
 }

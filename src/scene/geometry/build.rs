@@ -26,8 +26,7 @@ pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNo
     let welded = weld(&soup.points);
     let degenerate = drop_degenerate(&mut soup, &welded);
     let normals = make_missing(&mut soup, &welded, crease_angle);
-    let unit: Vec<[f32; 3]> = soup.normals.iter().map(|n| normalize(*n)).collect();
-    soup.normals = unit;
+    soup.normals.iter_mut().for_each(|n| *n = normalize(*n));
 
     let mut joiner = Joiner::new(&soup);
     let made = tangents::of_corners(&soup, |corner| {
@@ -36,11 +35,13 @@ pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNo
     });
     let order = by_material(&soup);
     joiner.join(&order, &made);
-    let Joiner { vertices, indices, .. } = joiner;
+    let (vertices, indices) = joiner.into_lists();
     let mut mesh = gather(&soup, &vertices);
     mesh.tangents = vertex_tangents(&soup, &vertices, &made);
     mesh.has_normals = normals == 0;
+    drop((vertices, made));
     settle_sides(&mut soup, &welded);
+    mesh.indices.reserve_exact(3 * order.len());
     for &t in &order {
         extend_parts(&mut mesh, &soup, t as usize);
         mesh.indices.extend(indices[t as usize]);
@@ -164,7 +165,7 @@ impl<'a> Joiner<'a> {
         Self {
             soup,
             same_normal: weld(&soup.normals),
-            same_uv: weld(&soup.uvs.iter().map(|&[u, v]| [u, v, 0.0]).collect::<Vec<_>>()),
+            same_uv: weld(&soup.uvs),
             known: with_room(soup.points.len()),
             vertices: Vec::with_capacity(soup.points.len()),
             indices: vec![[0; 3]; soup.triangles.len()],
@@ -200,6 +201,11 @@ impl<'a> Joiner<'a> {
         }
     }
 
+    /// The vertices, and those of each triangle of the soup.
+    fn into_lists(self) -> (Vec<VertexKey>, Vec<[u32; 3]>) {
+        (self.vertices, self.indices)
+    }
+
     fn vertex(&mut self, key: VertexKey) -> u32 {
         *self.known.entry(key).or_insert_with(|| {
             self.vertices.push(key);
@@ -229,13 +235,15 @@ fn vertex_tangents(
 /// The attributes of the vertices, except the tangents.
 fn gather(soup: &TriangleSoup, vertices: &[VertexKey]) -> Mesh {
     let uv = |key: &VertexKey| soup.uvs.get(key.uv as usize).copied().unwrap_or_default();
-    let color = |key: &VertexKey| soup.colors.get(key.point as usize).copied().unwrap_or([1.0; 4]);
+    let white = Mesh::WHITE;
+    let color = |key: &VertexKey| soup.colors.get(key.point as usize).copied().unwrap_or(white);
+    let colored: &[VertexKey] = if soup.colors.is_empty() { &[] } else { vertices };
     Mesh {
         name: soup.name.clone(),
         positions: vertices.iter().map(|key| soup.points[key.point as usize]).collect(),
         normals: vertices.iter().map(|key| soup.normals[key.normal as usize]).collect(),
         uvs: vertices.iter().map(uv).collect(),
-        colors: vertices.iter().map(color).collect(),
+        colors: colored.iter().map(color).collect(),
         has_uvs: vertices.iter().any(|key| key.uv != NONE),
         has_colors: !soup.colors.is_empty(),
         ..Mesh::default()

@@ -1,5 +1,6 @@
 //! The mesh that a renderer draws: indexed triangles with every attribute filled in.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use glam::{DMat4, DVec3, Vec3};
@@ -9,7 +10,8 @@ use crate::cache::{CachedValue, EntryReader, EntryWriter};
 /// Name of the material of triangles without a material in the file.
 pub const DEFAULT_MATERIAL: &str = "default";
 
-/// Indexed triangles, counter-clockwise seen from outside. All attribute lists are equally long.
+/// Indexed triangles, counter-clockwise seen from outside. All attribute lists are equally long,
+/// but for colors, which most files lack.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Name of the mesh in the file, or the file's own name without its ending.
@@ -25,8 +27,8 @@ pub struct Mesh {
     /// UVs of the vertices: u to the right and v up, (0, 0) at the lower left corner of the image;
     /// zeros where the file has none.
     pub uvs: Vec<[f32; 2]>,
-    /// Colors of the vertices: straight RGBA, display-referred (sRGB curve), 0 to 1; white where
-    /// the file has none.
+    /// Colors of the vertices: straight RGBA, display-referred (sRGB curve), 0 to 1; empty where
+    /// the file has none, and all are [white](Self::WHITE).
     pub colors: Vec<[f32; 4]>,
     /// Indices of vertices, three per triangle.
     pub indices: Vec<u32>,
@@ -115,6 +117,17 @@ impl FitTransform {
 }
 
 impl Mesh {
+    /// Color of the vertices of a mesh without colors.
+    pub const WHITE: [f32; 4] = [1.0; 4];
+
+    /// Colors of all vertices, also where the mesh has none.
+    pub fn all_colors(&self) -> Cow<'_, [[f32; 4]]> {
+        match self.colors.is_empty() {
+            true => Cow::Owned(vec![Self::WHITE; self.positions.len()]),
+            false => Cow::Borrowed(&self.colors),
+        }
+    }
+
     /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.indices.len() / 3
@@ -180,8 +193,9 @@ impl CachedValue for Mesh {
         mesh.has_colors = entry.number()? != 0;
         mesh.has_normals = entry.number()? != 0;
         let count = mesh.positions.len();
-        let lengths = [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()];
-        let is_whole = lengths == [count; 4]
+        let lengths = [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len()];
+        let is_whole = lengths == [count; 3]
+            && [0, count].contains(&mesh.colors.len())
             && mesh.indices.iter().all(|&index| (index as usize) < count)
             && mesh.parts.iter().all(|part| mesh.indices.len() >= part.indices.end as usize);
         is_whole.then_some(mesh)

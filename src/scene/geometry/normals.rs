@@ -30,8 +30,8 @@ pub const CREASE_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 const MAX_COMPARED: usize = 16;
 
 /// The index, for each point, of the first point at the same position (-0 and 0 are the same).
-pub(super) fn weld(points: &[[f32; 3]]) -> Vec<u32> {
-    let mut first_at: MeshMap<[u32; 3], u32> = with_room(points.len());
+pub(super) fn weld<const N: usize>(points: &[[f32; N]]) -> Vec<u32> {
+    let mut first_at: MeshMap<[u32; N], u32> = with_room(points.len());
     points
         .iter()
         .enumerate()

@@ -44,25 +44,26 @@ pub(super) fn of_corners(
         let corners = &soup.triangles[*t];
         corners.iter().all(|c| c.uv != NONE) && !corners.iter().all(|c| soup.has_tangent(c.point))
     };
-    let triangles: Vec<usize> = (0..soup.triangles.len()).filter(lacks).collect();
+    let triangles: Vec<u32> =
+        (0..soup.triangles.len()).filter(lacks).map(|triangle| triangle as u32).collect();
     let mut known: MeshMap<[u32; 3], u32> = with_room(triangles.len());
     let vertices: Vec<[u32; 3]> = triangles
         .iter()
         .map(|&t| {
-            soup.triangles[t].each_ref().map(|corner| {
+            soup.triangles[t as usize].each_ref().map(|corner| {
                 let next = known.len() as u32;
                 *known.entry(vertex_of(corner)).or_insert(next)
             })
         })
         .collect();
     drop(known);
-    let faces = triangles.iter().map(|&t| Face::new(soup, t)).collect();
+    let faces = triangles.iter().map(|&t| FaceDirections::new(soup, t as usize).face()).collect();
     let mut space = TangentSpace { soup, triangles: &triangles, vertices: &vertices, faces };
     let mut result =
         CornerTangents { of_corner: vec![[NONE; 3]; soup.triangles.len()], ..Default::default() };
     let mut known = MeshMap::default();
     space.visit_groups(&neighbors(&vertices), &mut |corner, tangent| {
-        let (triangle, k) = (triangles[corner / 3], corner % 3);
+        let (triangle, k) = (triangles[corner / 3] as usize, corner % 3);
         if soup.has_tangent(soup.triangles[triangle][k].point) {
             return;
         }
@@ -95,19 +96,30 @@ fn laid_into_plane(v: Vec3, normal: Vec3) -> Vec3 {
     unit(v - normal * dot(normal, v))
 }
 
-/// A triangle's directions of growing UVs.
+/// A triangle's part in groups. Its directions are computed when they are asked for: those of all
+/// triangles of a scan would take more memory than its file.
 #[derive(Clone, Copy)]
 struct Face {
-    /// Directions of growing u and v; 0 where the UVs span no area.
-    along_u: Vec3,
-    along_v: Vec3,
     /// True if the UVs run the same way round as the triangle does.
     is_preserving: bool,
     /// True if the UVs determine so little that the triangle takes the direction of its neighbors.
     joins_any: bool,
 }
 
-impl Face {
+/// A triangle's directions of growing UVs.
+struct FaceDirections {
+    /// Directions of growing u and v; 0 where the UVs span no area.
+    along_u: Vec3,
+    along_v: Vec3,
+    is_preserving: bool,
+    joins_any: bool,
+}
+
+impl FaceDirections {
+    fn face(&self) -> Face {
+        Face { is_preserving: self.is_preserving, joins_any: self.joins_any }
+    }
+
     fn new(soup: &TriangleSoup, triangle: usize) -> Self {
         let corners = &soup.triangles[triangle];
         let at = corners.map(|c| Vec3::from(soup.points[c.point as usize]));
@@ -208,7 +220,7 @@ type TangentSink<'g> = &'g mut dyn FnMut(usize, [f32; 4]);
 struct TangentSpace<'a> {
     soup: &'a TriangleSoup,
     /// Indices of the soup's triangles that get tangents.
-    triangles: &'a [usize],
+    triangles: &'a [u32],
     vertices: &'a [[u32; 3]],
     faces: Vec<Face>,
 }
@@ -286,16 +298,18 @@ impl TangentSpace<'_> {
     }
 
     fn normal(&self, corner: usize) -> Vec3 {
-        let corner = self.soup.triangles[self.triangles[corner / 3]][corner % 3];
+        let corner = self.soup.triangles[self.triangles[corner / 3] as usize][corner % 3];
         Vec3::from(self.soup.normals[corner.normal as usize])
     }
 
     fn member(&self, corner: usize, normal: Vec3) -> Member {
         let face = &self.faces[corner / 3];
-        let along = [face.along_u, face.along_v].map(|v| laid_into_plane(v, normal));
+        let triangle = self.triangles[corner / 3] as usize;
+        let directions = FaceDirections::new(self.soup, triangle);
+        let along = [directions.along_u, directions.along_v].map(|v| laid_into_plane(v, normal));
         let mut weighted = Vec3::ZERO;
         if !face.joins_any {
-            let corners = &self.soup.triangles[self.triangles[corner / 3]];
+            let corners = &self.soup.triangles[triangle];
             let [own, after, before] = [0, 1, 2].map(|next| {
                 let corner = corners[(corner + next) % 3];
                 Vec3::from(self.soup.points[corner.point as usize])

@@ -2,7 +2,7 @@
 //! within 1/255 is adopted from the panel, and the truth in f64 agrees.
 #![allow(clippy::print_stdout, reason = "times are told, and judged by nobody")]
 
-use chiaro::accuracy::{MeasurementRow, MeasurementSubject};
+use chiaro::accuracy::{MeasuredTier, MeasurementRow, MeasurementSubject};
 use chiaro::document::Tier;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
@@ -15,7 +15,9 @@ fn whole(artist: &JourneyUser) -> Vec<MeasurementRow> {
     report
         .rows
         .iter()
-        .filter(|row| row.subject == MeasurementSubject::Whole && row.tier.is_some())
+        .filter(|row| {
+            row.subject == MeasurementSubject::Whole && matches!(row.tier, MeasuredTier::Named(_))
+        })
         .cloned()
         .collect()
 }
@@ -45,7 +47,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     artist.tab("Cost and accuracy");
     artist.press("Measure");
     let rows = whole(&artist);
-    let exact = rows.iter().find(|row| row.tier == Some(Tier::Exact)).unwrap();
+    let exact = rows.iter().find(|row| row.tier == MeasuredTier::Named(Tier::Exact)).unwrap();
     let within =
         rows.iter().filter(|row| row.max_error().is_some_and(|error| error <= 1.0 / 255.0));
     let best = within.min_by_key(|row| counted(row)).expect("exact is within").clone();
@@ -62,7 +64,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     assert!(instructions < all_instructions, "{instructions} of {all_instructions} instructions");
 
     // The tier is adopted by its row, as one step of the look.
-    let word = chiaro::accuracy::report::tier_word(best.tier);
+    let word = best.tier.word();
     let (steps, label) = (artist.steps(), format!("Adopt {word} for Whole look"));
     let plot = artist.place("Error against time").center();
     for _ in 0..20 {
@@ -72,7 +74,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
         artist.wheel(plot, -30.0);
     }
     artist.press(&label);
-    assert_eq!((artist.look().tier, artist.steps()), (best.tier, steps + 1));
+    assert_eq!((artist.look().tier, artist.steps()), (best.tier.of_look(), steps + 1));
 
     // The comparison is asked of the panel: the picture in the adopted tier against the truth in
     // f64.

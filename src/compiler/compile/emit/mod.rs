@@ -190,7 +190,7 @@ struct Emitter<'a> {
     functions: SpecializedFunctions,
     /// The form of each call.
     specialized: HashMap<ValueId, CallForm>,
-    /// Operations that forms leave out, by node.
+    /// Operations of the functions of each node's calls, and those that forms leave of them.
     shortened: BTreeMap<usize, [u64; 2]>,
     /// WGSL name of each value: a local variable, a constant, or a member of `look`.
     value_names: HashMap<ValueId, String>,
@@ -201,6 +201,8 @@ struct Emitter<'a> {
     host: HostProgram,
     host_steps: HashMap<ValueId, usize>,
     collected: CollectedItems,
+    /// Names of the function of the rounds of a barrier's loop, and of their counter.
+    barrier_names: Option<[String; 2]>,
     out: String,
     spans: SpanMap,
 }
@@ -228,6 +230,7 @@ impl<'a> Emitter<'a> {
             host: HostProgram::default(),
             host_steps: HashMap::new(),
             collected: CollectedItems::default(),
+            barrier_names: None,
             out: String::new(),
             spans: SpanMap::default(),
         }

@@ -55,6 +55,8 @@ pub enum Edit {
     /// Sets the tier of all nodes without a tier of their own; `None` for the cheapest of each
     /// whose difference nobody can see.
     SetLookTier { tier: Option<Tier> },
+    /// Sets the greatest difference that automatic tiers may make, in numbers of a color.
+    SetMaxError { max_error: f64 },
 
     /// Adds a node under a new id.
     AddNode { graph: GraphId, id: NodeId, node: Node, index: Option<usize> },
@@ -154,6 +156,7 @@ impl Edit {
             Self::SetLookAbout { .. } => "describe the look".to_owned(),
             Self::SetColorSpace { .. } => "change the color space".to_owned(),
             Self::SetLookTier { .. } => "change the look's tier".to_owned(),
+            Self::SetMaxError { .. } => "change the difference of automatic tiers".to_owned(),
             Self::AddNode { id, .. } => format!("add {id}"),
             Self::RemoveNode { id, .. } => format!("remove {id}"),
             Self::SetName { id, .. } => format!("rename {id}"),
@@ -229,7 +232,8 @@ impl Editable for Look {
                 Edit::SetValue { graph, id, port, index: None, .. },
             ) => (g, i, p) == (graph, id, port),
             (Edit::SetLookName { .. }, Edit::SetLookName { .. })
-            | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. }) => true,
+            | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. })
+            | (Edit::SetMaxError { .. }, Edit::SetMaxError { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
             (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
                 g == graph
@@ -275,6 +279,9 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
         }
         Edit::SetLookTier { tier } => {
             Ok(Edit::SetLookTier { tier: std::mem::replace(&mut look.tier, tier) })
+        }
+        Edit::SetMaxError { max_error } => {
+            Ok(Edit::SetMaxError { max_error: std::mem::replace(&mut look.max_error, max_error) })
         }
         Edit::AddNode { graph, id, node, index } => graph::add_node(look, graph, id, node, index),
         Edit::RemoveNode { graph, id } => graph::remove_node(look, graph, id),

@@ -169,13 +169,16 @@ impl Drop for Cost {
 /// Edit that adopts a row's tier, as one step; `None` where the look has that tier already, or
 /// where the row is not a choice.
 fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
-    let tier = row.tier?;
+    if !row.tier.is_choice() {
+        return None;
+    }
+    let tier = row.tier.of_look();
     let set = |id: &NodeId, tier| Edit::SetTier { graph: GraphId::Look, id: id.clone(), tier };
     match &row.subject {
         MeasurementSubject::Whole => {
             let mut edits: Vec<Edit> = Vec::new();
-            if look.tier != Some(tier) {
-                edits.push(Edit::SetLookTier { tier: Some(tier) });
+            if look.tier != tier {
+                edits.push(Edit::SetLookTier { tier });
             }
             let own = look.graph.nodes.iter().filter(|(_, node)| node.tier.is_some());
             edits.extend(own.map(|(id, _)| set(id, None)));
@@ -187,8 +190,7 @@ fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
         }
         MeasurementSubject::Node { id, .. } => {
             let node = look.graph.nodes.get(id)?;
-            (node.tier.or(look.tier) != Some(tier))
-                .then(|| set(id, (look.tier != Some(tier)).then_some(tier)))
+            (node.tier.or(look.tier) != tier).then(|| set(id, tier.filter(|_| look.tier != tier)))
         }
         MeasurementSubject::Pass(_) => None,
     }

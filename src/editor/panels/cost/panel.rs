@@ -4,7 +4,7 @@ use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::{Cost, adopt, plot};
-use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject, report::tier_word};
+use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::problem_text::sentence;
@@ -125,7 +125,7 @@ fn name(subject: &MeasurementSubject) -> String {
 
 /// True if the look has this row's tier now.
 fn in_use(session: &Session, row: &MeasurementRow) -> bool {
-    row.tier.is_some() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
+    row.tier.is_choice() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
 }
 
 /// True if the look still has the node that this row measured.
@@ -201,13 +201,13 @@ fn subject(ui: &mut Ui, subject: &MeasurementSubject, is_plotted: bool) -> bool 
 
 fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-    let word = tier_word(row.tier);
+    let word = row.tier.word();
     let label = format!("Adopt {word} for {}", name(&row.subject));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, label.clone()));
     let is_used = in_use(session, row);
     if is_used {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).accent_dim.gamma_multiply(0.4));
-    } else if response.hovered() && row.tier.is_some() {
+    } else if response.hovered() && row.tier.is_choice() {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
     ui.painter().circle_filled(
@@ -244,14 +244,14 @@ fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
         cell(ui, column(rect, 3), &small(error.rms), mono.clone(), theme::of(ui).text);
         cell(ui, column(rect, 4), &error.visible.to_string(), mono, ink(error.visible > 0));
     }
-    let clicked = response.clicked() && row.tier.is_some();
+    let clicked = response.clicked() && row.tier.is_choice();
     response.on_hover_text(told(row, is_used));
     clicked
 }
 
 /// Description of a row in words.
 pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
-    let mut text = format!("{}, {}", name(&row.subject), tier_word(row.tier));
+    let mut text = format!("{}, {}", name(&row.subject), row.tier.word());
     text += &format!(
         "\n{:.3} ms, 95% from {:.3} to {:.3}",
         row.time.median, row.time.low, row.time.high
@@ -276,7 +276,7 @@ pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
         );
         text += &format!("\n{} of {} pixels over 1/255", error.visible, error.pixels);
     }
-    if row.tier.is_some() {
+    if row.tier.is_choice() {
         text += if is_used { "\nIn use" } else { "\nA click adopts it" };
     }
     text

@@ -6,7 +6,7 @@ use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, v
 
 use super::panel::told;
 use crate::accuracy::MeasurementRow;
-use crate::accuracy::report::{pareto_front, tier_word};
+use crate::accuracy::report::pareto_front;
 use crate::widgets::theme;
 
 /// Range of the plot's height, in points; it leaves room for the table.
@@ -87,9 +87,9 @@ pub(super) fn show(
     let touch = |(index, (at, row)): (usize, &(Pos2, &MeasurementRow))| {
         let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
         let point = ui.interact(reach, response.id.with(index), Sense::click());
-        let label = format!("Point {}", tier_word(row.tier));
+        let label = format!("Point {}", row.tier.word());
         point.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::Button, row.tier.is_some(), label.clone())
+            egui::WidgetInfo::labeled(egui::Role::Button, row.tier.is_choice(), label.clone())
         });
         point
     };
@@ -109,11 +109,11 @@ pub(super) fn show(
     name_points(ui, inner, &points);
     let mut clicked = None;
     for ((_, row), point) in points.iter().zip(touched) {
-        if point.clicked() && row.tier.is_some() {
+        if point.clicked() && row.tier.is_choice() {
             clicked = Some((*row).clone());
         }
         let point = point.on_hover_text(told(row, in_use(row)));
-        if row.tier.is_some() {
+        if row.tier.is_choice() {
             point.on_hover_cursor(egui::CursorIcon::PointingHand);
         }
     }
@@ -128,7 +128,7 @@ fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &MeasurementRow)]) {
     for (at, row) in points {
         let ink = theme::of(ui).of_tier(row.tier);
         let font = FontId::proportional(theme::SMALL_TEXT);
-        let galley = ui.painter().layout_no_wrap(tier_word(row.tier).to_owned(), font, ink);
+        let galley = ui.painter().layout_no_wrap(row.tier.word().to_owned(), font, ink);
         let (right, above) = (9.0 + galley.size().x / 2.0, 9.0 + galley.size().y / 2.0);
         let sides = [vec2(right, 0.0), vec2(-right, 0.0), vec2(0.0, -above), vec2(0.0, above)];
         let corners =

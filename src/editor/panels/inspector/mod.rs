@@ -3,11 +3,11 @@
 mod interface;
 
 use eframe::egui;
-use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
-use crate::document::{ColorSpace, Edit, Target, Tier, Value};
+use crate::document::{ColorSpace, Edit, Look, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::{InspectedNode, marks, row};
 use crate::ids::LightId;
@@ -19,6 +19,9 @@ use crate::state::wire::{ShownWire, Style};
 use crate::values;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
+
+/// Number of steps of a screen between the least and the greatest number of a color.
+const STEPS: f64 = 255.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::INSPECTOR,
@@ -364,6 +367,24 @@ fn tier_help(tier: Option<Tier>) -> &'static str {
     }
 }
 
+/// Row of the difference that automatic tiers may make, shown in steps of a screen.
+fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
+    let help = "Greatest difference from the exact tier that an automatic one may make, in the 255 \
+                steps of a screen; 1 is seen by nobody. More allows cheaper tiers, and 0 none. It \
+                is estimated; Cost and accuracy measures it";
+    row::labelled(ui, "Difference", help, |ui, label| {
+        let mut steps = look.max_error * STEPS;
+        let unit = if (steps - 1.0).abs() < 0.005 { " step" } else { " steps" };
+        let field =
+            DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);
+        let response = ui.add(field).labelled_by(label).on_hover_text(help);
+        if response.changed() {
+            let max_error = (steps / STEPS).clamp(0.0, 1.0);
+            out.push(Command::EditHeld(response.id, Edit::SetMaxError { max_error }));
+        }
+    });
+}
+
 /// Shows a link to the lights, which have a panel of their own.
 fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
@@ -443,6 +464,9 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             combo.response.labelled_by(label);
         },
     );
+    if look.tier.is_none() {
+        difference_row(ui, look, out);
+    }
     marks::list(ui, session, |_| true, out);
     lights_row(ui, session, out);
 }

@@ -2,6 +2,7 @@
 
 use eframe::egui::Color32;
 
+use crate::accuracy::MeasuredTier;
 use crate::document::Tier;
 use crate::drawing::palette::{self, Palette};
 use crate::library::Type;
@@ -81,12 +82,13 @@ impl Colors {
     }
 
     /// Color of a tier's marks; for `None` that of plain text.
-    pub(crate) fn of_tier(&self, tier: Option<Tier>) -> Color32 {
+    pub(crate) fn of_tier(&self, tier: MeasuredTier) -> Color32 {
         match tier {
-            Some(Tier::Exact) => self.second,
-            Some(Tier::Balanced) => self.third,
-            Some(Tier::Fast) => self.accent,
-            None => self.text,
+            MeasuredTier::Named(Tier::Exact) => self.second,
+            MeasuredTier::Named(Tier::Balanced) => self.third,
+            MeasuredTier::Named(Tier::Fast) => self.accent,
+            MeasuredTier::Automatic => self.text,
+            MeasuredTier::AsSet => self.dim,
         }
     }
 }

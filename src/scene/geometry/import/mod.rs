@@ -59,8 +59,19 @@ pub fn import(
     bytes: &[u8],
     siblings: Siblings,
 ) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
+    import_bytes(name, bytes, siblings)
+}
+
+/// Imports a file, whose bytes are dropped as soon as they are read: building the mesh takes several
+/// times as much memory.
+fn import_bytes(
+    name: &str,
+    bytes: impl AsRef<[u8]>,
+    siblings: Siblings,
+) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
     let mut report = ImportReport::new(name);
-    let soup = read(name, bytes, siblings, &mut report);
+    let soup = read(name, bytes.as_ref(), siblings, &mut report);
+    drop(bytes);
     report.stop_on_errors()?;
     let mesh = finish(soup, &mut report);
     report.stop_on_errors()?;
@@ -83,7 +94,7 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Di
         vec![problem.in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    import(&name, &bytes, &|sibling| {
+    import_bytes(&name, bytes, &|sibling| {
         files.read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
     })
 }

@@ -1,6 +1,8 @@
 //! Reader of glTF accessors that checks every access: the crate's own readers trust counts and
 //! offsets.
 
+use std::borrow::Cow;
+
 use gltf::Accessor;
 use gltf::accessor::DataType;
 use gltf::accessor::sparse::IndexType;
@@ -29,9 +31,23 @@ fn number(kind: DataType) -> NumberType {
 /// bounds.
 pub(super) fn rows<const N: usize>(
     accessor: &Accessor,
-    buffers: &[Vec<u8>],
+    buffers: &[Cow<'_, [u8]>],
     fill: f64,
 ) -> Result<Vec<[f64; N]>, ImportProblem> {
+    rows_as(accessor, buffers, fill, |row| row)
+}
+
+/// The [`rows`] of an accessor, each made into what is kept of it: a mesh has millions of rows, and
+/// in f64 they are twice as long as in the file.
+///
+/// # Errors
+/// As those of [`rows`].
+pub(super) fn rows_as<const N: usize, T: Clone>(
+    accessor: &Accessor,
+    buffers: &[Cow<'_, [u8]>],
+    fill: f64,
+    make: impl Fn([f64; N]) -> T,
+) -> Result<Vec<T>, ImportProblem> {
     let count = accessor.count();
     // Indices come three a triangle, more than any other kind of element.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
@@ -53,14 +69,15 @@ pub(super) fn rows<const N: usize>(
         Some(view) => {
             let stride = view.stride().unwrap_or(layout.size());
             let bytes = slice(&view, accessor.offset(), buffers).ok_or_else(outside)?;
-            layout.read(bytes, stride, count).ok_or_else(outside)?
+            layout.read::<N, T>(bytes, stride, count, &make).ok_or_else(outside)?
         }
-        None => vec![layout.row(&[0.0; 16]); count],
+        None => vec![make(layout.row(&[0.0; 16])); count],
     };
     if let Some(sparse) = accessor.sparse() {
         let (places, values) = (sparse.indices(), sparse.values());
         let bytes = slice(&values.view(), values.offset(), buffers).ok_or_else(outside)?;
-        let new = layout.read(bytes, layout.size(), sparse.count()).ok_or_else(outside)?;
+        let new =
+            layout.read::<N, T>(bytes, layout.size(), sparse.count(), &make).ok_or_else(outside)?;
         let bytes = slice(&places.view(), places.offset(), buffers).ok_or_else(outside)?;
         let kind = match places.index_type() {
             IndexType::U8 => NumberType::U8,
@@ -77,7 +94,11 @@ pub(super) fn rows<const N: usize>(
 }
 
 /// The bytes of a view from `offset` on.
-fn slice<'a>(view: &gltf::buffer::View, offset: usize, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
+fn slice<'a>(
+    view: &gltf::buffer::View,
+    offset: usize,
+    buffers: &'a [Cow<'_, [u8]>],
+) -> Option<&'a [u8]> {
     let end = view.offset().checked_add(view.length())?;
     buffers.get(view.buffer().index())?.get(view.offset()..end)?.get(offset..)
 }
@@ -96,12 +117,13 @@ impl Layout {
         self.kind.size() * self.width
     }
 
-    fn read<const N: usize>(
+    fn read<const N: usize, T>(
         &self,
         bytes: &[u8],
         stride: usize,
         count: usize,
-    ) -> Option<Vec<[f64; N]>> {
+        make: impl Fn([f64; N]) -> T,
+    ) -> Option<Vec<T>> {
         let needed = stride.checked_mul(count.checked_sub(1)?)?.checked_add(self.size())?;
         if needed > bytes.len() {
             return None;
@@ -113,7 +135,7 @@ impl Layout {
             for value in values.iter_mut().take(self.width) {
                 *value = cursor.number(self.kind)?;
             }
-            rows.push(self.row(&values));
+            rows.push(make(self.row(&values)));
         }
         Some(rows)
     }

@@ -1,5 +1,7 @@
 //! Bytes of a glTF's buffers: from the chunks of a GLB, data URIs and files beside the glTF.
 
+use std::borrow::Cow;
+
 use base64::Engine as _;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -52,21 +54,22 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ImportProbl
     Ok((json.ok_or_else(short)?, binary))
 }
 
-/// The bytes of each buffer; an empty list of bytes for a buffer that could not be read.
-pub(super) fn load(
+/// The bytes of each buffer, those of a GLB as they lie in the file; an empty list of bytes for a
+/// buffer that could not be read.
+pub(super) fn load<'b>(
     document: &Document,
-    binary: Option<&[u8]>,
+    binary: Option<&'b [u8]>,
     siblings: Siblings,
     report: &mut ImportReport,
-) -> Vec<Vec<u8>> {
+) -> Vec<Cow<'b, [u8]>> {
     let mut total = 0;
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let bytes = match buffer.source() {
             Source::Bin => {
-                binary.map(<[u8]>::to_vec).ok_or_else(|| "the file has no binary chunk".to_owned())
+                binary.map(Cow::Borrowed).ok_or_else(|| "the file has no binary chunk".to_owned())
             }
-            Source::Uri(uri) => from_uri(uri, siblings),
+            Source::Uri(uri) => from_uri(uri, siblings).map(Cow::Owned),
         };
         let bytes = bytes.unwrap_or_else(|why| {
             let diagnostic = Diagnostic::error(
@@ -74,7 +77,7 @@ pub(super) fn load(
                 format!("buffer {} is missing: {why}", buffer.index()),
             );
             report.add(diagnostic.hint("keep the .bin file beside the .gltf, or export as .glb"));
-            Vec::new()
+            Cow::default()
         });
         total += bytes.len() as u64;
         if total > MAX_FILE_BYTES {

@@ -1,6 +1,8 @@
 //! Copies of one node's mesh (`EXT_mesh_gpu_instancing`): accessors of moves, turns and scales, in
 //! the node's space.
 
+use std::borrow::Cow;
+
 use glam::{DMat4, DQuat, DVec3};
 use gltf::accessor::Dimensions;
 use gltf::{Document, Mesh, Node};
@@ -41,7 +43,7 @@ impl<'a> PlacedMesh<'a> {
         document: &Document,
         node: &Node<'a>,
         world: DMat4,
-        buffers: &[Vec<u8>],
+        buffers: &[Cow<'_, [u8]>],
         drawn: &mut usize,
     ) -> Result<Option<Self>, ImportProblem> {
         let Some(mesh) = node.mesh() else { return Ok(None) };
@@ -125,7 +127,7 @@ impl<'d> InstanceAccessors<'d, '_> {
     /// Reads the accessors once `check` has accepted their count.
     fn read(
         &self,
-        buffers: &[Vec<u8>],
+        buffers: &[Cow<'_, [u8]>],
         check: impl FnOnce(usize) -> Result<(), ImportProblem>,
     ) -> Result<Option<Instances>, ImportProblem> {
         let translations = self.accessor("TRANSLATION", Dimensions::Vec3)?;

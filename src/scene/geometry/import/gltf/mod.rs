@@ -12,6 +12,8 @@ mod extensions;
 mod instances;
 mod primitive;
 
+use std::borrow::Cow;
+
 use glam::DMat4;
 use gltf::Document;
 use gltf::json::mesh::Semantic;
@@ -209,7 +211,7 @@ fn missing_accessor(root: &Root) -> Option<usize> {
 /// each with its places.
 fn place_meshes<'a>(
     document: &'a Document,
-    buffers: &[Vec<u8>],
+    buffers: &[Cow<'_, [u8]>],
     report: &mut ImportReport,
 ) -> Vec<PlacedMesh<'a>> {
     let mut open: Vec<(gltf::Node, DMat4)> =

@@ -1,6 +1,8 @@
 //! Primitives of glTF meshes: their attributes, triangles and material.
 
-use glam::{DMat3, DMat4, DVec3};
+use std::borrow::Cow;
+
+use glam::{DMat3, DMat4, DVec3, Vec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
@@ -18,7 +20,7 @@ use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
 pub(super) fn append(
     primitive: &Primitive,
     world: &DMat4,
-    buffers: &[Vec<u8>],
+    buffers: &[Cow<'_, [u8]>],
     soup: &mut TriangleSoup,
     skipped: &mut SkippedParts,
 ) -> Result<(), ImportProblem> {
@@ -76,7 +78,7 @@ pub(super) fn append(
 fn read_indices(
     accessor: &gltf::Accessor,
     count: usize,
-    buffers: &[Vec<u8>],
+    buffers: &[Cow<'_, [u8]>],
 ) -> Result<Vec<u32>, ImportProblem> {
     let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
@@ -84,15 +86,15 @@ fn read_indices(
             format!("accessor {} holds no indices, but is used as such", accessor.index());
         return Err(Diagnostic::error("mesh-syntax", message).into());
     }
-    let rows = accessor::rows::<1>(accessor, buffers, 0.0)?;
-    if let Some([wrong]) = rows.iter().find(|[i]| *i >= count as f64) {
+    let indices = accessor::rows_as::<1, u32>(accessor, buffers, 0.0, |[i]| i as u32)?;
+    if let Some(wrong) = indices.iter().find(|i| **i as usize >= count) {
         let message = format!(
             "accessor {} names vertex {wrong}; there are {count}, counted from 0",
             accessor.index()
         );
         return Err(Diagnostic::error("mesh-index", message).into());
     }
-    Ok(rows.iter().map(|[i]| *i as u32).collect())
+    Ok(indices)
 }
 
 /// The index of the primitive's material in the soup.
@@ -131,24 +133,10 @@ struct AttributeOffsets {
 fn attributes(
     primitive: &Primitive,
     world: &DMat4,
-    buffers: &[Vec<u8>],
+    buffers: &[Cow<'_, [u8]>],
     soup: &mut TriangleSoup,
 ) -> Result<AttributeOffsets, ImportProblem> {
     check_counts(primitive)?;
-    let read3 = |semantic| {
-        primitive.get(&semantic).map(|a| accessor::rows::<3>(&a, buffers, 0.0)).transpose()
-    };
-    let read4 = |semantic| {
-        primitive.get(&semantic).map(|a| accessor::rows::<4>(&a, buffers, 1.0)).transpose()
-    };
-    let positions = read3(Semantic::Positions)?.unwrap_or_default();
-    let normals = read3(Semantic::Normals)?;
-    let uvs = primitive
-        .get(&Semantic::TexCoords(0))
-        .map(|a| accessor::rows::<2>(&a, buffers, 0.0))
-        .transpose()?;
-    let (tangents, colors) = (read4(Semantic::Tangents)?, read4(Semantic::Colors(0))?);
-    let count = positions.len();
     let linear = DMat3::from_mat4(*world);
     // The cofactors turn normals rightly under any scale, even where one axis is flattened.
     let cofactors = DMat3::from_cols(
@@ -157,26 +145,42 @@ fn attributes(
         linear.x_axis.cross(linear.y_axis),
     ) * linear.determinant().signum();
     let side = linear.determinant().signum() as f32;
-    let has = AttributeOffsets {
-        normals: normals.as_ref().map(|_| soup.normals.len()),
-        uvs: uvs.as_ref().map(|_| soup.uvs.len()),
+    // Unit length at once, so that no scale overflows an f32. What is not finite stays so, to be
+    // found below.
+    let turn = |m: DMat3, v: DVec3| match v.is_finite() {
+        true => (m * v).normalize_or_zero().as_vec3(),
+        false => Vec3::NAN,
     };
     let base = soup.points.len();
-    soup.points
-        .extend(positions.iter().map(|&p| world.transform_point3(p.into()).as_vec3().to_array()));
-    // Unit length at once, so that no scale overflows an f32.
-    let turn = |m: DMat3, v: DVec3| (m * v).normalize_or_zero().as_vec3();
-    soup.normals.extend(normals.iter().flatten().map(|&n| turn(cofactors, n.into()).to_array()));
-    soup.uvs.extend(uvs.iter().flatten().map(|&[u, v]| [u as f32, (1.0 - v) as f32]));
-    if let Some(tangents) = &tangents {
-        soup.tangents.resize(base, [0.0; 4]);
-        soup.tangents.extend(tangents.iter().map(|&[x, y, z, w]| {
-            turn(linear, DVec3::new(x, y, z)).extend(if w < 0.0 { -side } else { side }).to_array()
-        }));
+    let first = AttributeOffsets {
+        normals: primitive.get(&Semantic::Normals).map(|_| soup.normals.len()),
+        uvs: primitive.get(&Semantic::TexCoords(0)).map(|_| soup.uvs.len()),
+    };
+    if let Some(accessor) = primitive.get(&Semantic::Positions) {
+        let place = |p: [f64; 3]| world.transform_point3(p.into()).as_vec3().to_array();
+        append_to(&mut soup.points, accessor::rows_as(&accessor, buffers, 0.0, place)?);
     }
-    if let Some(colors) = &colors {
+    if let Some(accessor) = primitive.get(&Semantic::Normals) {
+        let normal = |n: [f64; 3]| turn(cofactors, n.into()).to_array();
+        append_to(&mut soup.normals, accessor::rows_as(&accessor, buffers, 0.0, normal)?);
+    }
+    if let Some(accessor) = primitive.get(&Semantic::TexCoords(0)) {
+        let uv = |[u, v]: [f64; 2]| [u as f32, (1.0 - v) as f32];
+        append_to(&mut soup.uvs, accessor::rows_as(&accessor, buffers, 0.0, uv)?);
+    }
+    if let Some(accessor) = primitive.get(&Semantic::Tangents) {
+        let tangent = |[x, y, z, w]: [f64; 4]| {
+            let side = if w < 0.0 { -side } else { side };
+            let side = if w.is_finite() { side } else { f32::NAN };
+            turn(linear, DVec3::new(x, y, z)).extend(side).to_array()
+        };
+        soup.tangents.resize(base, [0.0; 4]);
+        append_to(&mut soup.tangents, accessor::rows_as(&accessor, buffers, 1.0, tangent)?);
+    }
+    if let Some(accessor) = primitive.get(&Semantic::Colors(0)) {
+        let color = |[r, g, b, a]: [f64; 4]| display(r, g, b, a);
         soup.colors.resize(base, [1.0; 4]);
-        soup.colors.extend(colors.iter().map(|&[r, g, b, a]| display(r, g, b, a)));
+        append_to(&mut soup.colors, accessor::rows_as(&accessor, buffers, 1.0, color)?);
     }
     if !soup.tangents.is_empty() {
         soup.tangents.resize(soup.points.len(), [0.0; 4]);
@@ -184,22 +188,34 @@ fn attributes(
     if !soup.colors.is_empty() {
         soup.colors.resize(soup.points.len(), [1.0; 4]);
     }
-    let finite = |rows: &[f32]| rows.iter().all(|x| x.is_finite());
-    let raw = |rows: &Option<Vec<[f64; 3]>>, i: usize| {
-        rows.as_ref().is_none_or(|r| r[i].iter().all(|x| x.is_finite()))
-    };
-    for i in 0..count {
-        let uv = uvs.as_ref().is_none_or(|uvs| uvs[i].iter().all(|x| (*x as f32).is_finite()));
-        let tangent = tangents.as_ref().is_none_or(|t| t[i].iter().all(|x| x.is_finite()));
-        if !finite(&soup.points[base + i]) || !raw(&normals, i) || !uv || !tangent {
-            let message = format!(
-                "vertex {i} of primitive {} has numbers that are not finite",
-                primitive.index()
-            );
-            return Err(Diagnostic::error("mesh-not-finite", message).into());
-        }
+    let broken = [
+        not_finite(&soup.points[base..]),
+        first.normals.and_then(|first| not_finite(&soup.normals[first..])),
+        first.uvs.and_then(|first| not_finite(&soup.uvs[first..])),
+        soup.tangents.get(base..).and_then(not_finite),
+    ];
+    if let Some(vertex) = broken.into_iter().flatten().min() {
+        let message = format!(
+            "vertex {vertex} of primitive {} has numbers that are not finite",
+            primitive.index()
+        );
+        return Err(Diagnostic::error("mesh-not-finite", message).into());
     }
-    Ok(has)
+    Ok(first)
+}
+
+/// Appends rows to a list, which takes them over where it is empty.
+fn append_to<T>(list: &mut Vec<T>, mut rows: Vec<T>) {
+    if list.is_empty() {
+        *list = rows;
+    } else {
+        list.append(&mut rows);
+    }
+}
+
+/// Index of the first row with a number that is not finite.
+fn not_finite<const N: usize>(rows: &[[f32; N]]) -> Option<usize> {
+    rows.iter().position(|row| !row.iter().all(|x| x.is_finite()))
 }
 
 /// Encodes a linear color by the sRGB curve (IEC 61966-2-1), clamped to 0..1; NaN becomes 0.
