@@ -3,6 +3,9 @@
 //!
 //! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints all parts,
 //! `-- frames`, `-- baking` or `-- memory` a single one; docs/performance.md holds the figures.
+//! After `frames`, a size as `1600x1200` takes the place of 1280x720, and other words choose the
+//! frames whose names have all of them: `-- frames city smooth quick`. With `together` each is
+//! drawn once more without its depths before its colors.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::hint::black_box;
@@ -31,6 +34,8 @@ use serde_json::json;
 
 const SIZE: [u32; 2] = [1280, 720];
 const ROUNDS: usize = 5;
+/// Word that asks for each frame once more, with depths and colors drawn together.
+const TOGETHER: &str = "together";
 
 /// An HCBTF whose samples are all painted, with texels of `colors` different colors.
 fn painted(grid: Grid, colors: u32) -> Hcbtf {
@@ -107,13 +112,37 @@ fn scenes() -> [(&'static str, f64, Vec<SetupObject>, DVec3); 2] {
     ]
 }
 
-fn frames(path: &Path) {
+/// Processor time that this process has taken so far, all of its threads together, in
+/// milliseconds; 0 where nobody tells.
+fn processor_time() -> f64 {
+    // Ticks of a hundredth of a second, the 14th and 15th number.
+    let told = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let after = told.rsplit(')').next().unwrap_or_default();
+    let ticks = after.split_whitespace().skip(11).take(2);
+    ticks.filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() * 10.0
+}
+
+/// Processor time of a frame, in milliseconds: the mean of `rounds` frames.
+fn processor_cost(renderer: &mut Renderer, plan: &FramePlan, rounds: usize) -> f64 {
+    let before = processor_time();
+    for _ in 0..rounds {
+        block_on(renderer.measure(plan)).expect("it draws");
+    }
+    (processor_time() - before) / rounds as f64
+}
+
+fn frames(path: &Path, words: &[String]) {
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("a device"));
+    let size_of = |word: &String| {
+        let (width, height) = word.split_once('x')?;
+        Some([width.parse().ok()?, height.parse().ok()?])
+    };
+    let size = words.iter().find_map(size_of).unwrap_or(SIZE);
     println!(
-        "{}, {} x {}; the least and the median of {ROUNDS}",
+        "{}, {} x {}; the least and the median of {ROUNDS}, and processor time",
         renderer.gpu().name(),
-        SIZE[0],
-        SIZE[1]
+        size[0],
+        size[1]
     );
     let lookups =
         [("hcbtf_lookup", "smooth", 3), ("hcbtf_lookup", "texels", 3), ("hcbtf_nearest", "", 1)];
@@ -123,7 +152,20 @@ fn frames(path: &Path) {
         for ((kind, lookup, tiers), storage) in
             lookups.into_iter().flat_map(|one| Storage::ALL.map(|it| (one, it)))
         {
-            for tier in [Tier::Exact, Tier::Balanced, Tier::Fast].into_iter().take(tiers) {
+            let named = [Tier::Exact, Tier::Balanced, Tier::Fast].map(Some).into_iter().take(tiers);
+            for tier in named.chain([None]) {
+                let told = tier.map_or("by default".to_owned(), |tier| format!("{tier:?}"));
+                let name = format!(
+                    "{scene}, {kind} {lookup}, {}, {}",
+                    storage.word(),
+                    told.to_lowercase()
+                );
+                let is_wanted = |word: &String| {
+                    size_of(word).is_some() || word == TOGETHER || name.contains(word.as_str())
+                };
+                if !words.iter().all(is_wanted) {
+                    continue;
+                }
                 let camera = Camera { eye: eye.to_array(), ..Camera::default() };
                 let setup = Setup {
                     scene: Scene { camera, ..Scene::default() },
@@ -131,23 +173,31 @@ fn frames(path: &Path) {
                     objects: objects.clone(),
                     ..Setup::default()
                 };
-                let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
-                let setup = Variant::Looks(tier).of(&setup);
+                let options = PlanOptions { size, samples: 1, time: 0.0 };
+                let mut setup = Variant::Looks(tier.unwrap_or_default()).of(&setup);
+                setup.looks.iter_mut().for_each(|worn| worn.look.tier = tier);
                 let plan = planner
                     .plan(&setup, Library::built_in(), &Live::Keyed, &options)
                     .expect("it compiles")
                     .value;
-                all.push((format!("{scene}, {kind} {lookup}, {}, {tier:?}", storage.word()), plan));
+                if words.iter().any(|word| word == TOGETHER) {
+                    let mut together = plan.clone();
+                    together.draws.iter_mut().for_each(|draw| draw.depth_first = false);
+                    all.push((format!("{name}, {TOGETHER}"), together));
+                }
+                all.push((name, plan));
             }
         }
         let plans: Vec<&FramePlan> = all.iter().map(|(_, plan)| plan).collect();
         let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
-        for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
+        for ((name, plan), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
             let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
+            let rounds = (2e3 / least).clamp(3.0, 40.0) as usize;
             println!(
-                "{name}: {least:.1} ms ({:.1}), {:.1} fps",
+                "{name}: {least:.1} ms ({:.1}), {:.1} fps; {:.0} ms of processors",
                 series.estimate().median,
-                1e3 / least
+                1e3 / least,
+                processor_cost(&mut renderer, plan, rounds)
             );
         }
     }
@@ -227,7 +277,8 @@ fn main() {
         std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let is_wanted = |part: &str| wanted.is_empty() || wanted.iter().any(|word| word == part);
     if is_wanted("frames") {
-        thesis_scenes();
+        let words: Vec<String> = wanted.iter().filter(|word| *word != "frames").cloned().collect();
+        thesis_scenes(&words);
     }
     if is_wanted("baking") {
         baking(Grid::THESIS);
@@ -237,10 +288,10 @@ fn main() {
     }
 }
 
-fn thesis_scenes() {
+fn thesis_scenes(words: &[String]) {
     let path = std::env::temp_dir().join(format!("chiaro-bench-{}.hcbtf", std::process::id()));
     let bytes = hcbtf::write(&painted(Grid::THESIS, 100_000)).expect("it fits");
     std::fs::write(&path, bytes).expect("a temporary file");
-    frames(&path);
+    frames(&path, words);
     let _ = std::fs::remove_file(&path);
 }

@@ -21,7 +21,7 @@ import chiaro::color;
 /// @source thesis Appendix B
 fn hcbtf_directions_light(sheet: texture_2d_array<f32>, sheet_sampler: sampler, light: Light,
     normal: vec3f, tangent: vec3f, bitangent: vec3f) -> Color {
-    let grid = hcbtf_grid(sheet);
+    let grid = hcbtf_grid(sheet, 0);
     let frame = world_from_tangent(tangent, bitangent, normal);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
     return hcbtf_sample_color(near, grid.light);
@@ -29,7 +29,7 @@ fn hcbtf_directions_light(sheet: texture_2d_array<f32>, sheet_sampler: sampler, 
 
 fn hcbtf_directions_view(sheet: texture_2d_array<f32>, sheet_sampler: sampler, normal: vec3f,
     view: vec3f, tangent: vec3f, bitangent: vec3f) -> Color {
-    let grid = hcbtf_grid(sheet);
+    let grid = hcbtf_grid(sheet, 0);
     let frame = world_from_tangent(tangent, bitangent, normal);
     let near = hcbtf_near(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     return hcbtf_sample_color(near, grid.view);
@@ -37,7 +37,7 @@ fn hcbtf_directions_view(sheet: texture_2d_array<f32>, sheet_sampler: sampler, n
 
 fn hcbtf_directions_weights(sheet: texture_2d_array<f32>, sheet_sampler: sampler, normal: vec3f,
     view: vec3f, tangent: vec3f, bitangent: vec3f) -> Color {
-    let grid = hcbtf_grid(sheet);
+    let grid = hcbtf_grid(sheet, 0);
     let frame = world_from_tangent(tangent, bitangent, normal);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     return vec4f(views.weight.xyz + views.weight.w, 1.0);

@@ -25,10 +25,12 @@ import chiaro::hcbtf;
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
 /// @return color "Color" : Straight RGBA.
+/// @opaque
 /// @source thesis 10.3
 fn hcbtf_nearest(
     sheet: texture_2d_array<f32>,
     sheet_sampler: sampler,
+    storage: i32,
     light: Light,
     uv: vec2f,
     scale: vec2f,
@@ -38,7 +40,7 @@ fn hcbtf_nearest(
     tangent: vec3f,
     bitangent: vec3f,
 ) -> Color {
-    let grid = hcbtf_grid(sheet);
+    let grid = hcbtf_grid(sheet, storage);
     let frame = world_from_tangent(tangent, bitangent, normal);
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_near(hcbtf_place(hcbtf_local(light.direction, frame), grid.light),

@@ -40,6 +40,8 @@ struct HcbtfGrid {
     is_compact: bool,
     /// True if the storage is that of blocks.
     has_blocks: bool,
+    /// True if no texel is transparent.
+    is_opaque: bool,
 }
 
 /// A direction among those of a grid: the two rings and the two steps around it, with the weight of
@@ -56,15 +58,20 @@ struct HcbtfViews {
     weight: vec4f,
 }
 
-fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
+/// The grid in a texture whose node asks for a storage: 0 for quick, 1 for compact, 2 for blocks. A
+/// texture that is being painted is quick whatever its node asks for; what asks for quick is, so
+/// that its shader need not hold the others.
+fn hcbtf_grid(sheet: texture_2d_array<f32>, storage: i32) -> HcbtfGrid {
     let last = i32(textureNumLayers(sheet)) - 1;
     let first = vec4i(round(255.0 * textureLoad(sheet, vec2i(0, 0), last, 0)));
-    let has_blocks = (first.w & 16) != 0;
+    let has_blocks = (storage == 2) & ((first.w & 16) != 0);
     let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(select(1, 4, has_blocks), 0), last,
         0)));
-    let size = vec2i(first.x + 256 * (first.z % 16), first.y + 256 * (first.z / 16));
+    let size = vec2i(first.x + 256 * (first.z & 15), first.y + 256 * (first.z >> 4u));
     let flags = (vec4i(first.w) & vec4i(1, 2, 4, 8)) != vec4i(0);
-    return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w, has_blocks);
+    let is_compact = (storage != 0) & flags.w;
+    return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, is_compact, has_blocks,
+        (first.w & 32) != 0);
 }
 
 /// A world-space direction in the axes of a surface: x along u, y along v, z along the normal;
@@ -94,14 +101,16 @@ fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
 fn hcbtf_around(place: vec2f, directions: vec2i) -> HcbtfPlace {
     let low = vec2i(floor(place));
     let theta = vec2i(low.x, min(low.x + 1, directions.x - 1));
-    let phi = vec2i(low.y, (low.y + 1) % directions.y);
+    // Divisions of whole numbers are dear where a GPU has none.
+    let next = low.y + 1;
+    let phi = vec2i(low.y, select(next, 0, next >= directions.y));
     return HcbtfPlace(theta, phi, place - floor(place));
 }
 
 /// Ring and step of the nearest sample.
 fn hcbtf_near(place: vec2f, directions: vec2i) -> vec2i {
     let near = vec2i(floor(place + 0.5));
-    return vec2i(min(near.x, directions.x - 1), near.y % directions.y);
+    return vec2i(min(near.x, directions.x - 1), select(near.y, 0, near.y >= directions.y));
 }
 
 fn hcbtf_views(place: vec2f, directions: vec2i) -> HcbtfViews {
@@ -139,7 +148,8 @@ fn hcbtf_layer(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32) -> i32 
     let width = i32(textureDimensions(sheet).x);
     let last = i32(textureNumLayers(sheet)) - 1;
     let at = view + 2;
-    return hcbtf_number(textureLoad(sheet, vec2i(at % width, at / width), last, 0));
+    let row = at / width;
+    return hcbtf_number(textureLoad(sheet, vec2i(at - row * width, row), last, 0));
 }
 
 /// The texel of the tile at a texture coordinate, on which the tile repeats; v points up, rows go
@@ -167,19 +177,19 @@ fn hcbtf_straight(sum: vec4f) -> vec4f {
         min(sum.w, 1.0)), sum.w > 0.0);
 }
 
-/// Four lights of one view at one texel, loaded and blended; premultiplied.
+/// Four lights of one view at one texel, loaded and blended; premultiplied. They stand beside each
+/// other in the block, as the last phi is there again.
 fn hcbtf_lights(sheet: texture_2d_array<f32>, block: vec2i, layer: i32,
     light: HcbtfPlace) -> vec4f {
     let w = light.weight;
+    let first = block + vec2i(light.theta.x, light.phi.x + 1);
+    let right = vec2i(light.theta.y - light.theta.x, 0);
+    let down = vec2i(0, 1);
     var sum = vec4f(0.0);
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.x + 1), layer,
-        0), (1.0 - w.x) * (1.0 - w.y));
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.x + 1), layer,
-        0), w.x * (1.0 - w.y));
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.y + 1), layer,
-        0), (1.0 - w.x) * w.y);
-    return hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.y + 1), layer,
-        0), w.x * w.y);
+    sum = hcbtf_add(sum, textureLoad(sheet, first, layer, 0), (1.0 - w.x) * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, first + right, layer, 0), w.x * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, first + down, layer, 0), (1.0 - w.x) * w.y);
+    return hcbtf_add(sum, textureLoad(sheet, first + right + down, layer, 0), w.x * w.y);
 }
 
 /// All sixteen samples around a light and a view at one texel; premultiplied.
@@ -191,21 +201,68 @@ fn hcbtf_sixteen(sheet: texture_2d_array<f32>, block: vec2i, light: HcbtfPlace,
         + views.weight.w * hcbtf_lights(sheet, block, views.layer.w, light);
 }
 
-/// Four lights of one view at one texel by one bilinear tap; straight.
-fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, layer: i32,
-    light: vec2f) -> vec4f {
-    let at = vec2f(block) + light + vec2f(0.5, 1.5);
+/// One bilinear tap of a view at a place in its layer, in texels; straight.
+fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, at: vec2f, layer: i32) -> vec4f {
     return textureSampleLevel(sheet, sheet_sampler, at / vec2f(textureDimensions(sheet)), layer,
         0.0);
 }
 
-/// [`hcbtf_tap`] for the four views around a direction, blended.
-fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, light: vec2f,
+/// The place in its layer of a light's place in the block of a texel.
+fn hcbtf_tap_place(block: vec2i, light: vec2f) -> vec2f {
+    return vec2f(block) + light + vec2f(0.5, 1.5);
+}
+
+/// [`hcbtf_tap`] for the four views around a direction, blended; premultiplied.
+fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, at: vec2f,
     views: HcbtfViews) -> vec4f {
-    return views.weight.x * hcbtf_tap(sheet, sheet_sampler, block, views.layer.x, light)
-        + views.weight.y * hcbtf_tap(sheet, sheet_sampler, block, views.layer.y, light)
-        + views.weight.z * hcbtf_tap(sheet, sheet_sampler, block, views.layer.z, light)
-        + views.weight.w * hcbtf_tap(sheet, sheet_sampler, block, views.layer.w, light);
+    var sum = vec4f(0.0);
+    sum = hcbtf_add(sum, hcbtf_tap(sheet, sheet_sampler, at, views.layer.x), views.weight.x);
+    sum = hcbtf_add(sum, hcbtf_tap(sheet, sheet_sampler, at, views.layer.y), views.weight.y);
+    sum = hcbtf_add(sum, hcbtf_tap(sheet, sheet_sampler, at, views.layer.z), views.weight.z);
+    return hcbtf_add(sum, hcbtf_tap(sheet, sheet_sampler, at, views.layer.w), views.weight.w);
+}
+
+/// A light's place at which a tap blends in whole steps of a GPU's weights, a 256th each: it then
+/// makes no difference whether the GPU rounds them or cuts them off.
+///
+/// Half a step of both weights adds up to a whole one where the four lights have nothing in common
+/// and both make more, or both less, of one of them. There the weight that is farther from its step
+/// takes the step on its other side.
+fn hcbtf_stepped(place: vec2f) -> vec2f {
+    let steps = 256.0 * place;
+    let near = floor(steps + 0.5);
+    let off = near - steps;
+    let side = place - floor(place) - 0.5;
+    let adds = (off.x * off.y * side.x * side.y > 0.0) & (abs(off.x) + abs(off.y) > 0.75);
+    let is_first = abs(off.x) > abs(off.y);
+    let turned = vec2f(select(0.0, sign(off.x), adds & is_first),
+        select(0.0, sign(off.y), adds & !is_first));
+    // Beyond the step by less than the rounding of a coordinate could take away.
+    return (near - turned) * 0.00390625 + 0.000244140625;
+}
+
+/// Lights whose taps are blended one after the other.
+struct HcbtfTurns {
+    /// Place of the first.
+    place: vec2f,
+    /// Weights of the second of each pair; of no use for one light.
+    weight: vec2f,
+    /// Number of lights: 1 where the tap itself blends four, 4 where paint is transparent and each
+    /// color counts as much as its alpha.
+    count: i32,
+}
+
+fn hcbtf_turns(light: vec2f, grid: HcbtfGrid) -> HcbtfTurns {
+    let low = floor(light);
+    return HcbtfTurns(select(low + 0.000244140625, hcbtf_stepped(light), grid.is_opaque),
+        light - low, select(4, 1, grid.is_opaque));
+}
+
+/// The place of a light in x and y and its weight in z.
+fn hcbtf_turn(turns: HcbtfTurns, index: i32) -> vec3f {
+    let corner = vec2f(f32(index & 1), f32(index >> 1u));
+    let weight = mix(1.0 - turns.weight, turns.weight, corner);
+    return vec3f(turns.place + corner, select(weight.x * weight.y, 1.0, turns.count == 1));
 }
 
 /// The four texels around a place of a level, with their weights, wrapped around the tile.
@@ -250,14 +307,15 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
         // The first smaller level stands beside the tile, the next ones below each other.
         origin = vec2i(grid.size.x * grid.light.x,
             select(origin.y + size.y * (grid.light.y + 2), 0, i == 0));
-        size = max(size / 2, vec2i(1));
+        size = max(size >> vec2u(1u), vec2i(1));
     }
     let p = bounded_vec2(vec2f(uv.x, -uv.y));
     let place = (p - floor(p)) * vec2f(size) - 0.5;
     let low = vec2i(floor(place));
-    let first = (low + size) % size;
-    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x,
-        level, before);
+    let first = select(low, low + size, low < vec2i(0));
+    let next = first + 1;
+    return HcbtfTexels(vec4i(first, select(next, vec2i(0), next >= size)), place - floor(place),
+        origin, size.x, level, before);
 }
 
 /// The texel at a texture coordinate alone, in the form of four texels that are the same.
@@ -371,12 +429,11 @@ fn hcbtf_one_view(near: vec2i, grid: HcbtfGrid) -> HcbtfViews {
 
 /// All sixteen samples, each bilinear between the texels of one level; premultiplied.
 fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32,
-    light: HcbtfPlace, view: HcbtfViews) -> vec4f {
+    light: HcbtfPlace, views: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
     if grid.is_compact {
-        return hcbtf_compact(sheet, grid, texels, light, view);
+        return hcbtf_compact(sheet, grid, texels, light, views);
     }
-    let views = hcbtf_stored(sheet, grid, view);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
     return (1.0 - w.x) * (1.0 - w.y) * hcbtf_sixteen(sheet, blocks.left_top, light, views)
@@ -385,25 +442,82 @@ fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, le
         + w.x * w.y * hcbtf_sixteen(sheet, blocks.right_bottom, light, views);
 }
 
-/// [`hcbtf_sixteen_at`] by a bilinear tap for each view and texel; straight.
-fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
-    level: i32, light: vec2f, view: HcbtfViews) -> vec4f {
-    let texels = hcbtf_texels(uv, grid, level);
-    if grid.is_compact {
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light),
-            view));
-    }
+/// [`hcbtf_sixteen_at`] for the levels around one between them, blended; premultiplied.
+///
+/// A loop and not a branch around the second level: what runs on a CPU executes both sides of a
+/// branch, but leaves a loop as soon as no pixel needs more.
+fn hcbtf_smooth(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: f32,
+    light: HcbtfPlace, view: HcbtfViews) -> vec4f {
     let views = hcbtf_stored(sheet, grid, view);
-    let w = texels.weight;
-    let blocks = hcbtf_blocks(texels, grid.light);
-    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.left_top, light,
-        views)
-        + w.x * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.right_top, light, views)
-        + (1.0 - w.x) * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.left_bottom, light, views)
-        + w.x * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.right_bottom, light, views);
+    let finer = i32(level);
+    let part = level - f32(finer);
+    let last = select(finer, finer + 1, part > 0.0);
+    var sum = vec4f(0.0);
+    var at = finer;
+    loop {
+        let share = select(part, 1.0 - part, at == finer);
+        sum += share * hcbtf_sixteen_at(sheet, uv, grid, at, light, views);
+        at += 1;
+        if at > last {
+            break;
+        }
+    }
+    return sum;
 }
 
-/// [`hcbtf_taps_at`] for the nearest view alone; straight.
+/// [`hcbtf_sixteen_at`] by a bilinear tap for each view and texel; premultiplied. Not for the
+/// compact storage.
+fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
+    level: i32, light: HcbtfTurns, views: HcbtfViews) -> vec4f {
+    let texels = hcbtf_texels(uv, grid, level);
+    let w = texels.weight;
+    let blocks = hcbtf_blocks(texels, grid.light);
+    var sum = vec4f(0.0);
+    var index = 0;
+    loop {
+        let turn = hcbtf_turn(light, index);
+        let place = turn.xy;
+        sum += turn.z * ((1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler,
+            hcbtf_tap_place(blocks.left_top, place), views)
+            + w.x * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler,
+            hcbtf_tap_place(blocks.right_top, place), views)
+            + (1.0 - w.x) * w.y * hcbtf_taps(sheet, sheet_sampler,
+            hcbtf_tap_place(blocks.left_bottom, place), views)
+            + w.x * w.y * hcbtf_taps(sheet, sheet_sampler,
+            hcbtf_tap_place(blocks.right_bottom, place), views));
+        index += 1;
+        if index >= light.count {
+            break;
+        }
+    }
+    return sum;
+}
+
+/// [`hcbtf_smooth`] by taps.
+fn hcbtf_smooth_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f,
+    grid: HcbtfGrid, level: f32, light: vec2f, view: HcbtfViews) -> vec4f {
+    if grid.is_compact {
+        return hcbtf_smooth(sheet, uv, grid, level, hcbtf_around(light, grid.light), view);
+    }
+    let views = hcbtf_stored(sheet, grid, view);
+    let lights = hcbtf_turns(light, grid);
+    let finer = i32(level);
+    let part = level - f32(finer);
+    let last = select(finer, finer + 1, part > 0.0);
+    var sum = vec4f(0.0);
+    var at = finer;
+    loop {
+        let share = select(part, 1.0 - part, at == finer);
+        sum += share * hcbtf_taps_at(sheet, sheet_sampler, uv, grid, at, lights, views);
+        at += 1;
+        if at > last {
+            break;
+        }
+    }
+    return sum;
+}
+
+/// A bilinear tap of the nearest view alone for each texel; straight.
 fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
     level: i32, light: vec2f, near: vec2i) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
@@ -415,11 +529,14 @@ fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f,
     let layer = hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
-    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.left_top, layer,
-        light)
-        + w.x * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.right_top, layer, light)
-        + (1.0 - w.x) * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.left_bottom, layer, light)
-        + w.x * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.right_bottom, layer, light);
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler,
+        hcbtf_tap_place(blocks.left_top, light), layer)
+        + w.x * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler,
+        hcbtf_tap_place(blocks.right_top, light), layer)
+        + (1.0 - w.x) * w.y * hcbtf_tap(sheet, sheet_sampler,
+        hcbtf_tap_place(blocks.left_bottom, light), layer)
+        + w.x * w.y * hcbtf_tap(sheet, sheet_sampler,
+        hcbtf_tap_place(blocks.right_bottom, light), layer);
 }
 
 /// All sixteen samples at the texel of a texture coordinate; premultiplied.
@@ -433,16 +550,26 @@ fn hcbtf_crisp(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: 
         hcbtf_stored(sheet, grid, views));
 }
 
-/// [`hcbtf_crisp`] by a bilinear tap for each view; straight.
+/// [`hcbtf_crisp`] by a bilinear tap for each view; premultiplied.
 fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f,
-    grid: HcbtfGrid, light: vec2f, views: HcbtfViews) -> vec4f {
-    let texel = hcbtf_crisp_texel(uv, grid);
+    grid: HcbtfGrid, light: vec2f, view: HcbtfViews) -> vec4f {
     if grid.is_compact {
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light),
-            views));
+        return hcbtf_crisp(sheet, uv, grid, hcbtf_around(light, grid.light), view);
     }
-    let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
-    return hcbtf_taps(sheet, sheet_sampler, block, light, hcbtf_stored(sheet, grid, views));
+    let block = hcbtf_block(hcbtf_texel(uv, grid.size), grid.light, vec2i(0));
+    let views = hcbtf_stored(sheet, grid, view);
+    let lights = hcbtf_turns(light, grid);
+    var sum = vec4f(0.0);
+    var index = 0;
+    loop {
+        let turn = hcbtf_turn(lights, index);
+        sum += turn.z * hcbtf_taps(sheet, sheet_sampler, hcbtf_tap_place(block, turn.xy), views);
+        index += 1;
+        if index >= lights.count {
+            break;
+        }
+    }
+    return sum;
 }
 
 /// [`hcbtf_crisp`] by one bilinear tap of the nearest view; straight.
@@ -455,8 +582,8 @@ fn hcbtf_crisp_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec
             view));
     }
     let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
-    return hcbtf_tap(sheet, sheet_sampler, block,
-        hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y), light);
+    return hcbtf_tap(sheet, sheet_sampler, hcbtf_tap_place(block, light),
+        hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y));
 }
 
 /// The nearest sample at the texel of a texture coordinate, as it was painted; straight.

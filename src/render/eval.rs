@@ -5,7 +5,7 @@ use wgpu::util::DeviceExt as _;
 use super::Renderer;
 use super::error::RenderError;
 use super::gpu::Gpu;
-use super::pipeline::{LookPipeline, Sides};
+use super::pipeline::{DepthUse, LookPipeline, Sides};
 use super::readback::read_texture;
 use super::target::texture;
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
@@ -54,6 +54,7 @@ impl Renderer {
             &batch.shader,
             1,
             Sides { both: true, is_mirrored: false },
+            DepthUse::Together,
         )?;
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);

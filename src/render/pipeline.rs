@@ -22,6 +22,7 @@ struct PipelineKey {
     wgsl: String,
     samples: u32,
     sides: Sides,
+    depth: DepthUse,
     /// Format that the picture is drawn in.
     picture: wgpu::TextureFormat,
 }
@@ -32,6 +33,21 @@ pub(super) struct Sides {
     pub(super) both: bool,
     pub(super) is_mirrored: bool,
 }
+
+/// Use of the depth buffer by a pipeline.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) enum DepthUse {
+    /// Depths are tested and written together with colors.
+    #[default]
+    Together,
+    /// Depths are tested and written alone.
+    Alone,
+    /// Depths were written before, and opaque colors are drawn where they are the nearest.
+    Before,
+}
+
+/// A fragment that draws nothing but its depth.
+const NO_COLOR: &str = "@fragment fn fs_main() -> @location(0) vec4f { return vec4f(); }";
 
 /// A pipeline with the layout and the attributes that must be bound to it.
 #[derive(Clone, Debug)]
@@ -87,15 +103,17 @@ impl Pipelines {
         shader: &CompiledShader,
         samples: u32,
         sides: Sides,
+        depth: DepthUse,
     ) -> Result<LookPipeline, RenderError> {
-        let key = PipelineKey { wgsl: shader.wgsl.clone(), samples, sides, picture: gpu.picture };
+        let (wgsl, picture) = (shader.wgsl.clone(), gpu.picture);
+        let key = PipelineKey { wgsl, samples, sides, depth, picture };
         let slot = self.0.lock().unwrap_or_else(PoisonError::into_inner).slot(key);
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pipeline) = &*slot {
             return Ok(pipeline.clone());
         }
         let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
-        let make = || make(gpu, shader, samples, sides);
+        let make = || make(gpu, shader, samples, sides, depth);
         // A driver's compiler recurses over deep modules, so these get a thread with a larger
         // stack.
         let made = if stack <= SMALL_STACK { make() } else { with_stack(stack, make)? };
@@ -121,11 +139,20 @@ fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<
     })
 }
 
-fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {
+fn make(
+    gpu: &Gpu,
+    shader: &CompiledShader,
+    samples: u32,
+    sides: Sides,
+    depth: DepthUse,
+) -> LookPipeline {
     let device = &gpu.device;
-    let source = wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into());
-    let module =
-        device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source });
+    let read = |wgsl: &str| {
+        let source = wgpu::ShaderSource::Wgsl(wgsl.into());
+        device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source })
+    };
+    let module = read(&shader.wgsl);
+    let no_color = (depth == DepthUse::Alone).then(|| read(NO_COLOR));
     let layout = bind_group_layout(device, shader);
     let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("look"),
@@ -148,8 +175,11 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
         .collect();
     let depth_stencil = is_mesh.then(|| wgpu::DepthStencilState {
         format: DEPTH,
-        depth_write_enabled: Some(true),
-        depth_compare: Some(wgpu::CompareFunction::Less),
+        depth_write_enabled: Some(depth != DepthUse::Before),
+        depth_compare: Some(match depth {
+            DepthUse::Together | DepthUse::Alone => wgpu::CompareFunction::Less,
+            DepthUse::Before => wgpu::CompareFunction::LessEqual,
+        }),
         stencil: wgpu::StencilState::default(),
         bias: wgpu::DepthBiasState::default(),
     });
@@ -170,10 +200,10 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
         depth_stencil,
         multisample: wgpu::MultisampleState { count: samples, ..wgpu::MultisampleState::default() },
         fragment: Some(wgpu::FragmentState {
-            module: &module,
+            module: no_color.as_ref().unwrap_or(&module),
             entry_point: Some("fs_main"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets(shader.stage, gpu),
+            targets: &targets(shader.stage, gpu, depth),
         }),
         multiview_mask: None,
         cache: None,
@@ -181,7 +211,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
     LookPipeline { pipeline, layout, attributes }
 }
 
-fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
+fn targets(stage: Stage, gpu: &Gpu, depth: DepthUse) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| {
         Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
     };
@@ -191,7 +221,14 @@ fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
     };
     let target = |output: &PassOutput| {
         let format = format_of(gpu, output.format);
-        if output.format == TexelFormat::Picture { blended(format) } else { plain(format) }
+        match depth {
+            DepthUse::Alone => {
+                let write_mask = wgpu::ColorWrites::empty();
+                Some(wgpu::ColorTargetState { format, blend: None, write_mask })
+            }
+            DepthUse::Together if output.format == TexelFormat::Picture => blended(format),
+            DepthUse::Together | DepthUse::Before => plain(format),
+        }
     };
     pass.row().writes.iter().map(target).collect()
 }

@@ -112,6 +112,14 @@ impl TypedNode {
         &self.def.variants[self.variant]
     }
 
+    /// Position of a choice's word among its options, by the choice's index.
+    pub(super) fn position(&self, choice: usize) -> i32 {
+        let word = self.choices.get(&choice);
+        let options = &self.def.inputs[choice].options;
+        let position = options.iter().position(|(option, _)| Some(option) == word);
+        position.unwrap_or_default() as i32
+    }
+
     /// The type of an output.
     pub fn output_type(&self, output: usize) -> Type {
         output_type(&self.def, self.variant, output)
@@ -926,7 +934,7 @@ fn taken_inputs(def: &NodeDef, variant: usize) -> Vec<(usize, Type)> {
                     def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().cloned()),
                 );
             }
-            ArgumentSource::Sampler(_) => {}
+            ArgumentSource::Sampler(_) | ArgumentSource::Choice(_) => {}
         }
     }
     if def.special == Treatment::Output {

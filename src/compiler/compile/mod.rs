@@ -104,6 +104,9 @@ pub struct CompiledShader {
     pub spans: SpanMap,
     /// The images that its nodes name, whether or not anything reads them.
     pub named_images: Vec<ImageUse>,
+    /// The images that must be opaque for all that it draws to be; `None` if something may be
+    /// transparent even then.
+    pub opaque_with: Option<Vec<ImageUse>>,
     /// The parts that were left out, each with its reason.
     pub removed: Vec<Removal>,
     /// The nodes whose functions take shorter forms, each with what is left out of it.
@@ -225,6 +228,7 @@ pub fn compile_typed(
         params: typed.params.clone(),
         spans: emitted.spans,
         named_images: specialized.images,
+        opaque_with: specialized.opaque_with,
         removed: specialized.removed,
         removed_within: emitted.removed_within,
         live: options.live.clone(),

@@ -8,6 +8,7 @@
 
 mod bounds;
 mod bypass;
+mod opacity;
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -156,6 +157,9 @@ pub(super) struct SpecializedGraph {
     /// The alpha below which a fragment is not drawn, if any can be.
     pub(super) cutoff: Option<ValueId>,
     pub(super) images: Vec<ImageUse>,
+    /// The images that must be opaque for the picture to be; `None` if it may be transparent even
+    /// then.
+    pub(super) opaque_with: Option<Vec<ImageUse>>,
     /// The value of each of the graph's drivers, as a number.
     pub(super) drivers: Vec<ValueId>,
     pub(super) removed: Vec<Removal>,
@@ -523,6 +527,10 @@ impl<'a> Builder<'a> {
                     Some(Argument::Sampler(self.image(node, *input, &node.def.inputs[*input].ty)))
                 }
                 ArgumentSource::Input(input, _) => inputs[*input].map(Argument::Value),
+                ArgumentSource::Choice(input) => {
+                    let position = interp::Value::I32(node.position(*input));
+                    Some(Argument::Value(self.constant(index, Type::Int, position)))
+                }
                 ArgumentSource::Prepared => {
                     prepared = prepared.or_else(|| self.prepared(index, node, inputs));
                     prepared.map(Argument::Value)
@@ -655,7 +663,9 @@ impl<'a> Builder<'a> {
                 },
                 _ => ImageShape::Flat,
             },
-            wrap: setting("wrap", "clamp"),
+            // An HCBTF is never sampled beyond its edges. What runs on a CPU has a shortcut of
+            // eight bits for clamped samplers, and filters mirrored ones in floats.
+            wrap: setting("wrap", if *ty == Type::Hcbtf { "mirror" } else { "clamp" }),
             filter: setting("filter", "linear"),
             is_decoded: self.graph.color_space == ColorSpace::Linear
                 && setting("encoding", "color") == "color",
@@ -726,6 +736,9 @@ impl<'a> Builder<'a> {
             self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && stage.draws_meshes());
         let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
+        let is_picture = stage.draws_meshes() && matches!(stage.row().value, StageValue::Output);
+        let opaque_with =
+            if is_picture && cutoff.is_none() && !cutout { self.opaque_with(root) } else { None };
         let drivers = self.drivers();
         let mut roots = vec![Some(root), cutoff.and(Some(color)), cutoff];
         roots.extend(drivers.iter().map(|&driver| Some(driver)));
@@ -736,6 +749,7 @@ impl<'a> Builder<'a> {
             color: Some(color),
             cutoff,
             images: self.images,
+            opaque_with,
             drivers,
             removed: self.removed,
         }

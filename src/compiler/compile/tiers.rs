@@ -385,6 +385,9 @@ impl<'g> ErrorTrial<'g> {
             match parameter {
                 ArgumentSource::Input(input, _) => arguments.extend(given(*input)),
                 ArgumentSource::Sampler(_) => {}
+                ArgumentSource::Choice(input) => {
+                    arguments.push([f64::from(node.position(*input)); LANES]);
+                }
                 ArgumentSource::Prepared => {
                     let Some(prepare) = &node.def.prepare else { continue };
                     let of_prepare: Rows =

@@ -15,6 +15,7 @@
 //! /// @bypass below when opacity = 0 : nothing is laid over what is below
 //! /// @bound tone when mode = alpha|shade
 //! /// @unit when clamped = 1
+//! /// @opaque
 //! /// @error fast 2e-3 : of the tone
 //! /// @source BADF eq. 5
 //! ```
@@ -25,9 +26,10 @@
 //! known to lie in [0, 1]) or `unit_alpha` (the fourth number, if there is one). Beside `=` there
 //! are `<=` and `>=`, against a number or another input: they hold where constants or ranges show
 //! that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1], apart
-//! from a card's rounding error, and `@unit alpha` that the alpha of a color does. A test holds
-//! that a bypassed node equals one that is not. An `@error` bounds the difference of a cheaper tier
-//! from the exact one; a test holds that too.
+//! from a card's rounding error, and `@unit alpha` that the alpha of a color does. `@opaque` says
+//! that the color is opaque where the node's image and all colors that the node takes are. A test
+//! holds that a bypassed node equals one that is not. An `@error` bounds the difference of a
+//! cheaper tier from the exact one; a test holds that too.
 //!
 //! A `@bound` names an input that is a share, with the choices for which it is one: the compiler
 //! clamps the input (of a color its alpha) to [0, 1] before the node's functions see it, and adds
@@ -41,8 +43,8 @@ use std::fmt;
 /// Tag: one `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
-    /// Kind of the tag: `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `error`,
-    /// `source`.
+    /// Kind of the tag: `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `opaque`,
+    /// `error`, `source`.
     pub word: String,
     /// Pieces between the word and the colon, split at spaces; quoted texts are one piece without
     /// their quotes.

@@ -11,6 +11,8 @@
 //! - `prepare`: computes, from the artist's parameters, the struct that the other functions take as
 //!   their parameter of that type.
 //!
+//! A parameter of the name of a choice, an `i32`, takes the position of the choice's word.
+//!
 //! Files under a project's own `nodes/` folder are read the same way and add to the library. A file
 //! `nodes/<category>/<name>.json` is a look whose `definitions` become groups of the library.
 

@@ -38,6 +38,9 @@ pub struct NodeDef {
     pub unit_when: Option<Vec<Condition>>,
     /// True if the result is a color whose alpha lies in [0, 1].
     pub has_unit_alpha: bool,
+    /// True if the result is an opaque color where the node's image and every color that it takes
+    /// are opaque.
+    pub keeps_opaque: bool,
     /// Greatest differences of the cheaper tiers from the exact one.
     pub errors: Vec<TierError>,
     /// Named sets of values.
@@ -148,6 +151,8 @@ pub enum ArgumentSource {
     Prepared,
     /// Sampler of an image input, by index.
     Sampler(usize),
+    /// Position of a choice's word among its options, by the choice's index.
+    Choice(usize),
 }
 
 /// The `prepare` function of a node, run in f64 before the fragment wherever its parameters are

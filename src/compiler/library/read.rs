@@ -198,6 +198,7 @@ impl Reader<'_> {
             bounds: Vec::new(),
             unit_when: None,
             has_unit_alpha: false,
+            keeps_opaque: false,
             errors: Vec::new(),
             presets: Vec::new(),
             notes: Vec::new(),
@@ -242,6 +243,7 @@ impl Reader<'_> {
             let Some(TagPiece::Word(name)) = tag.pieces.first() else { continue };
             match tag.word.as_str() {
                 "choice" => {
+                    types.shift_remove(name.as_str());
                     let input = self.choice(name, tag, head);
                     node.inputs.push(input);
                 }
@@ -485,6 +487,14 @@ impl Reader<'_> {
                 }
             } else if let Some(index) = node.input(&field.name) {
                 let ty = Type::from_wgsl(&field.ty);
+                if node.inputs[index].ty == Type::Choice {
+                    if ty != Type::Int {
+                        let message = format!("the choice `{}` is an `i32`", field.name);
+                        self.problem(function, message);
+                    }
+                    parameters.push(ArgumentSource::Choice(index));
+                    continue;
+                }
                 if ty.is_texture() {
                     image = Some(index);
                 }
@@ -568,6 +578,7 @@ impl Reader<'_> {
                     }
                 },
                 "unit" if words(tag) == ["alpha"] => node.has_unit_alpha = true,
+                "opaque" => node.keeps_opaque = true,
                 "unit" => {
                     node.unit_when = unit_conditions(node, tag);
                     if node.unit_when.is_none() {
@@ -594,7 +605,7 @@ impl Reader<'_> {
                 other => {
                     self.problem(head, format!("`@{other}` means nothing here")).hints.push(
                         "the tags are @param, @choice, @return, @preset, @bypass, @bound, @unit, \
-                         @error and @source"
+                         @opaque, @error and @source"
                             .to_owned(),
                     );
                 }

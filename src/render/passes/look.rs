@@ -3,7 +3,7 @@
 use super::uniform;
 use crate::compile::{BindingKind, CompiledShader};
 use crate::frame::{Draw, FramePlan, PassImage};
-use crate::pipeline::{LookPipeline, Sides};
+use crate::pipeline::{DepthUse, LookPipeline, Sides};
 use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
@@ -11,6 +11,10 @@ use crate::{RenderError, Renderer};
 pub(super) struct BoundDraw {
     pipeline: LookPipeline,
     group: wgpu::BindGroup,
+}
+
+fn sides(draw: &Draw) -> Sides {
+    Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored }
 }
 
 /// A color attachment that is cleared to one color.
@@ -46,8 +50,20 @@ impl Renderer {
     ) -> Result<(), RenderError> {
         let view = uniform(&self.gpu.device, &plan.view.uniform_bytes());
         let mut bound = Vec::new();
+        let mut depths = Vec::new();
         for draw in &plan.draws {
-            bound.push(self.bind(&draw.look, draw, &view, plan.samples)?);
+            let depth = if draw.depth_first { DepthUse::Before } else { DepthUse::Together };
+            bound.push(self.bind((&draw.look, depth), draw, &view, plan.samples)?);
+        }
+        for (draw, bound) in plan.draws.iter().zip(&bound).filter(|(draw, _)| draw.depth_first) {
+            let pipeline = self.pipelines.get(
+                &self.gpu,
+                &draw.look,
+                plan.samples,
+                sides(draw),
+                DepthUse::Alone,
+            )?;
+            depths.push((draw, BoundDraw { pipeline, group: bound.group.clone() }));
         }
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
             return Ok(());
@@ -72,7 +88,16 @@ impl Renderer {
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        for (draw, bound) in plan.draws.iter().zip(&bound) {
+        // What hides most comes first.
+        for (draw, bound) in depths.iter().rev() {
+            self.submit(&mut pass, draw, bound);
+        }
+        let are_all_known = depths.len() == plan.draws.len();
+        let all = plan.draws.iter().zip(&bound);
+        // Where two draws are equally near, the first one is seen; of draws whose depths are known
+        // the last one is.
+        let ordered: Vec<_> = if are_all_known { all.rev().collect() } else { all.collect() };
+        for (draw, bound) in ordered {
             self.submit(&mut pass, draw, bound);
         }
         Ok(())
@@ -81,13 +106,12 @@ impl Renderer {
     /// Prepares all resources that a draw reads.
     pub(super) fn bind(
         &mut self,
-        shader: &CompiledShader,
+        (shader, depth): (&CompiledShader, DepthUse),
         draw: &Draw,
         view: &wgpu::Buffer,
         samples: u32,
     ) -> Result<BoundDraw, RenderError> {
-        let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
-        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides)?;
+        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides(draw), depth)?;
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = uniform(&self.gpu.device, &draw.object_uniform.bytes);
         let look = draw.look_uniforms.get(&shader.stage).map(|uniform| &uniform.bytes);

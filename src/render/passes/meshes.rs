@@ -5,6 +5,7 @@ use super::look::{BoundDraw, depth_attachment};
 use super::uniform;
 use crate::compile::Stage;
 use crate::frame::{FramePlan, PassId};
+use crate::pipeline::DepthUse;
 use crate::{RenderError, Renderer};
 
 impl Renderer {
@@ -18,7 +19,7 @@ impl Renderer {
         let mut bound: Vec<(usize, BoundDraw)> = Vec::new();
         for (index, draw) in plan.draws.iter().enumerate() {
             if let Some(shader) = draw.module(stage) {
-                bound.push((index, self.bind(shader, draw, &view, 1)?));
+                bound.push((index, self.bind((shader, DepthUse::Together), draw, &view, 1)?));
             }
         }
         let Some(buffer) = self.targets.buffer(pass) else { return Ok(()) };

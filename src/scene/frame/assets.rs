@@ -36,6 +36,8 @@ pub struct Image {
     pub coding: TexelCoding,
     /// Pixels, or blocks of pixels, as `coding` says.
     pub bytes: Vec<u8>,
+    /// True if the image is known to have no transparent pixel.
+    pub is_opaque: bool,
     /// Hash of the content, for caches.
     pub hash: u64,
     /// Difference from the image before, where only a small part changed.
@@ -58,14 +60,18 @@ impl Image {
     }
 
     fn flat(size: [u32; 2], rgba: Vec<u8>) -> Self {
-        Self::new(LayeredTexture { size, count: 1, coding: TexelCoding::Rgba8, bytes: rgba })
+        let texture = LayeredTexture { size, count: 1, coding: TexelCoding::Rgba8, bytes: rgba };
+        Self { is_opaque: false, ..Self::new(texture) }
     }
 
+    /// The image of an HCBTF's texture, whose header says whether it is opaque.
     fn new(layers: LayeredTexture) -> Self {
+        let is_opaque = layers.is_opaque();
         let LayeredTexture { size, count, coding, bytes } = layers;
         let mut hasher = DefaultHasher::new();
         (size, count, coding, &bytes).hash(&mut hasher);
-        Self { size, layers: count, coding, bytes, hash: hasher.finish(), change: None }
+        let hash = hasher.finish();
+        Self { size, layers: count, coding, bytes, is_opaque, hash, change: None }
     }
 
     /// The pixels decoded to RGBA, four bytes a pixel.

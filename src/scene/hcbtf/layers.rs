@@ -12,7 +12,7 @@
 //! [`compact`](super::compact) and [`blocks`] are the other layouts, for less memory.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::blocks::{self, TexelCoding};
@@ -50,6 +50,15 @@ pub struct LayeredTexture {
 }
 
 impl LayeredTexture {
+    /// True if the header says that no texel is transparent. Of a texture that is being painted it
+    /// says nothing.
+    pub fn is_opaque(&self) -> bool {
+        let layers = self.count.max(1) as usize;
+        let flags = self.bytes.get(self.bytes.len() / layers * (layers - 1)..);
+        let flags = flags.and_then(|header| read_header(self.coding, header));
+        flags.is_some_and(|header| header[3] & OPAQUE != 0)
+    }
+
     /// The decoded texels, four bytes each.
     pub fn rgba(&self) -> Cow<'_, [u8]> {
         self.coding.rgba(self.size, &self.bytes)
@@ -69,6 +78,8 @@ pub(super) const SHARED: u8 = 4;
 const COMPACT: u8 = 8;
 /// Flag of the header: the storage is of blocks.
 const BLOCKS: u8 = 16;
+/// Flag of the header: no texel is transparent.
+const OPAQUE: u8 = 32;
 
 /// The width and height of a layer in texels, and the number of layers, before anything is made.
 /// They follow from the grid alone, and may be more than there is memory for, or than a GPU allows.
@@ -141,12 +152,13 @@ pub fn stored<'a>(
     options: LayerOptions,
     progress: &Progress,
 ) -> Result<LayeredTexture, Diagnostic> {
+    let is_opaque = is_opaque(grid, &tile);
     match options.storage {
         Storage::Quick => {
             let views = views(grid, &tile);
             let size = shared_size(grid, &views, options.has_levels);
             check_bytes(size.into_iter().fold(4, u64::saturating_mul))?;
-            let mut made = layers_of(grid, &views.differ, tile, options);
+            let mut made = layers_of(grid, &views.differ, tile, options, is_opaque);
             if views.differ.len() < grid.view.count() {
                 write_shares(&mut made, &views.layer);
             }
@@ -155,12 +167,12 @@ pub fn stored<'a>(
         Storage::Compact => {
             let plan = compact::CompactLayout::new(grid, tile, options.has_levels);
             check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
-            Ok(plan.write(header(grid, options)))
+            Ok(plan.write(header(grid, options, is_opaque)))
         }
         Storage::Blocks => {
             let plan = blocks::BlockLayout::new(grid, tile, options.has_levels);
             check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
-            Ok(plan.write(header(grid, options), progress)?)
+            Ok(plan.write(header(grid, options, is_opaque), progress)?)
         }
     }
 }
@@ -174,7 +186,8 @@ pub fn layers<'a>(
     options: LayerOptions,
 ) -> LayeredTexture {
     let options = LayerOptions { storage: Storage::Quick, ..options };
-    layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options)
+    // The next stroke may be transparent.
+    layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options, false)
 }
 
 fn layers_of<'a>(
@@ -182,6 +195,7 @@ fn layers_of<'a>(
     views: &[usize],
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     options: LayerOptions,
+    is_opaque: bool,
 ) -> LayeredTexture {
     let [width, height, _] = layers_size(grid, options.has_levels).map(|n| n as usize);
     let count = views.len() + 1;
@@ -211,7 +225,7 @@ fn layers_of<'a>(
         }
     }
     let told = rgba.len() - 4 * width * height;
-    rgba[told..told + 8].copy_from_slice(&header(grid, options));
+    rgba[told..told + 8].copy_from_slice(&header(grid, options, is_opaque));
     LayeredTexture {
         size: [width as u32, height as u32],
         count: count as u32,
@@ -317,18 +331,33 @@ pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
 
 /// The header of two texels: the tile's sides with twelve bits each and the flags; then rings and
 /// steps of lights and of views.
-fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
+fn header(grid: &Grid, options: LayerOptions, is_opaque: bool) -> [u8; 8] {
     let [width, height] = grid.size;
     let compact = match options.storage {
         Storage::Quick => 0,
         Storage::Compact => COMPACT,
         Storage::Blocks => COMPACT | BLOCKS,
     };
-    let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
+    let mut flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
+    if is_opaque {
+        flags |= OPAQUE;
+    }
     let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
     let angles =
         [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
     [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
+}
+
+/// True if every sample has a tile, and no texel of any is transparent. Means of opaque texels are
+/// opaque, so that the smaller levels are.
+fn is_opaque<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> bool {
+    let mut known = HashSet::new();
+    grid.addresses().all(|address| {
+        tile(address).is_some_and(|tile| {
+            let alpha = || tile.bytes().iter().skip(3).step_by(4);
+            !known.insert(Arc::as_ptr(tile)) || alpha().all(|alpha| *alpha == u8::MAX)
+        })
+    })
 }
 
 /// The direction with the number `index`, counted ring by ring.

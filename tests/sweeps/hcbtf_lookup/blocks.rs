@@ -12,7 +12,7 @@ use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, device_descriptor};
 
-use super::{Directions, LOOKUPS, at_random, by_hand, file, note, stored_as};
+use super::{BALANCED, Directions, LOOKUPS, at_random, by_hand, file, note, stored_as};
 use crate::support::eval::{eval_on, options, renderer, scene_of, shape, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
@@ -90,7 +90,7 @@ fn blocks_are_looked_up_as_they_are_decoded_with_and_without_a_device_that_has_t
                 eval_on(renderer, &look, Library::built_in(), &options(""), samples)
             };
             near(&on(&mut renderer(), "exact", &samples), 4e-5, "exact");
-            near(&on(&mut renderer(), "balanced", &samples), 5e-3, "balanced");
+            near(&on(&mut renderer(), "balanced", &samples), BALANCED, "balanced");
             near(&on(&mut plain, "exact", &samples), 4e-5, "decoded");
             near(
                 &truth(&stored_as("blocks", &path, lookup, "exact"), "", &samples[..60]),

@@ -12,7 +12,7 @@ use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::Renderer;
 
-use super::{Directions, file, stored_as};
+use super::{BALANCED, Directions, file, stored_as};
 use crate::support::eval::{renderer, scene_of, shape, told};
 use crate::support::random::Random;
 use crate::support::wait::block_on;
@@ -111,7 +111,7 @@ fn smooth_lookups_are_true_at_any_distance() {
             // The error that the node's file states for each tier, in any pixel.
             let most = match what.split(' ').nth(1) {
                 Some("exact") => 1e-4,
-                Some("balanced") => 5e-3,
+                Some("balanced") => BALANCED,
                 _ => 0.55,
             };
             assert!(figures.broken == 0 && figures.pixels > 5_000, "{what}: {figures:?}");

@@ -11,7 +11,7 @@ use super::images::images;
 use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
-use crate::compile::{CompiledShader, HostInputs, Param, Uniform};
+use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Look};
 use crate::frame::assets::{Assets, Image};
@@ -105,6 +105,7 @@ impl PartDraw<'_> {
         let values = self.values(&before).map_err(|problem| vec![problem])?;
         let mut read = |shader| images(assets, shader, self.setup);
         let images = read(&shaders.draw)?;
+        let depth_first = reads_hcbtf(&shaders.draw) && is_opaque(&shaders.draw, &images);
         let images_before = before
             .iter()
             .map(|(stage, shader)| Ok((*stage, read(shader)?)))
@@ -131,6 +132,7 @@ impl PartDraw<'_> {
             // away.
             two_sided: part.two_sided || values.cuts || view.eye.distance(center) < object.radius(),
             is_mirrored: object.world_from_object.determinant() < 0.0,
+            depth_first,
             distance: view.backward.dot(view.eye - center),
         })
     }
@@ -193,6 +195,18 @@ impl PartDraw<'_> {
         }
         Ok(made)
     }
+}
+
+/// True if a module reads an HCBTF: a lookup takes tens of reads.
+fn reads_hcbtf(shader: &CompiledShader) -> bool {
+    shader.needs.images.iter().any(|image| matches!(image.shape, ImageShape::Hcbtf { .. }))
+}
+
+/// True if nothing behind what a module draws can be seen through it.
+fn is_opaque(shader: &CompiledShader, images: &[Arc<Image>]) -> bool {
+    let Some(needed) = &shader.opaque_with else { return false };
+    let read = shader.needs.images.iter().zip(images);
+    needed.iter().all(|wanted| read.clone().any(|(own, image)| own == wanted && image.is_opaque))
 }
 
 /// The parameters with the values that the document has now: a live module was compiled from an

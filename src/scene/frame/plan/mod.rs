@@ -107,6 +107,9 @@ pub struct Draw {
     pub two_sided: bool,
     /// True if the object's transform mirrors it, so that triangles run the other way around.
     pub is_mirrored: bool,
+    /// True if its depth is to be drawn before any look: it hides all that is behind it, and its
+    /// pixels are dear.
+    pub depth_first: bool,
     /// Distance from the eye along the line of sight, for drawing transparent parts from back to
     /// front.
     pub distance: f64,

@@ -103,7 +103,7 @@ impl Sampler {
                 "shift" => Some(ProfileArgument::Shift),
                 _ => None,
             },
-            ArgumentSource::Sampler(_) => None,
+            ArgumentSource::Sampler(_) | ArgumentSource::Choice(_) => None,
         });
         Some(Self { prepare, profile, takes: takes.collect::<Option<_>>()? })
     }
