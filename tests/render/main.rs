@@ -3,6 +3,7 @@
 
 use chiaro_test_drawing as support;
 
+mod batches;
 mod effects;
 mod grouping;
 mod long_graphs;
