@@ -4,12 +4,15 @@
 //! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
 //! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
 //! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
-//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`. A size as `3840x2160` takes
+//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`, `batches`. A size as `3840x2160` takes
 //! the place of the paper's, and other words choose the looks whose names have one of them:
 //! `-- looks figure 3840x2160`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks the clock")]
+
+#[path = "frames/batches.rs"]
+mod batches;
 
 use std::path::Path;
 
@@ -37,7 +40,7 @@ use serde_json::{Value as Json, json};
 const PAPER: [u32; 2] = [1600, 1200];
 const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 /// Parts of the benchmark, by the words that ask for them.
-const PARTS: [&str; 6] = ["looks", "coverage", "layers", "lights", "pixels", "objects"];
+const PARTS: [&str; 7] = ["looks", "coverage", "layers", "lights", "pixels", "objects", "batches"];
 
 fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
     let options = PlanOptions { size, samples: 1, time: 0.0 };
@@ -300,6 +303,9 @@ fn main() {
     }
     if wants("coverage") {
         coverage(&mut renderer, size);
+    }
+    if wants("batches") {
+        batches::run(&mut renderer, size, 11);
     }
     let size = [640, 480];
     let sphere = "shape:sphere";

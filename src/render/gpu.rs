@@ -127,6 +127,12 @@ impl Gpu {
         UploadCounts { meshes: self.store.meshes.uploads(), images: self.store.images.uploads() }
     }
 
+    /// Number of pipelines of looks, and of the passes before them that draw meshes, that this
+    /// device's store keeps.
+    pub fn pipelines(&self) -> usize {
+        self.store.pipelines.count()
+    }
+
     /// True if the adapter is a software renderer.
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu

@@ -88,6 +88,11 @@ impl PipelineTable {
 }
 
 impl Pipelines {
+    /// Number of pipelines that are kept.
+    pub(super) fn count(&self) -> usize {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).known.len()
+    }
+
     /// Drops all pipelines: some may have been created while the device had no room for them.
     pub(super) fn clear(&self) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).known.clear();
@@ -284,8 +289,11 @@ fn bind_group_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::Bi
 }
 
 fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
-    let buffer =
-        |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let buffer = |ty, has_dynamic_offset| wgpu::BindingType::Buffer {
+        ty,
+        has_dynamic_offset,
+        min_binding_size: None,
+    };
     let texture_of = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension,
@@ -293,10 +301,10 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
     };
     let texture = |filterable| texture_of(filterable, wgpu::TextureViewDimension::D2);
     match kind {
-        BindingKind::View | BindingKind::Object | BindingKind::Look => {
-            buffer(wgpu::BufferBindingType::Uniform)
-        }
-        BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        BindingKind::View => buffer(wgpu::BufferBindingType::Uniform, false),
+        // Every draw of a list has an offset of its own.
+        BindingKind::Object | BindingKind::Look => buffer(wgpu::BufferBindingType::Uniform, true),
+        BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }, false),
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),

@@ -3,6 +3,7 @@
 
 use chiaro_test_drawing as support;
 
+mod batches;
 mod depth_first;
 mod effects;
 mod grouping;

@@ -16,7 +16,7 @@ use crate::diag::Diagnostic;
 use crate::document::{LightValues, OutputPort, Value};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
-use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Type};
+use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Rate, Type};
 use crate::wgsl::{self, NamedSource, ValidModule};
 
 /// Everything a host program reads: one object, in one view, at one time.
@@ -145,6 +145,16 @@ impl HostProgram {
                 light.as_ref()
             }
             _ => None,
+        })
+    }
+
+    /// True if a step reads anything that differs between objects of the same values and lights.
+    pub fn reads_object(&self) -> bool {
+        self.steps.iter().any(|step| match step {
+            ProgramStep::Context(context, _) => {
+                matches!(context.row().source, ContextSource::Host { rate: Rate::Object, .. })
+            }
+            _ => false,
         })
     }
 

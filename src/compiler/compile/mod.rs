@@ -116,6 +116,8 @@ pub struct CompiledShader {
     pub live: Live,
     /// The test whether the look cuts parts of the surface away, through which the back is seen.
     pub cutoff: AlphaCutoff,
+    /// True if ranges prove that every fragment hides what lies behind it: its alpha is 1.
+    pub is_opaque: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
 }
@@ -208,6 +210,7 @@ pub fn compile_typed(
     options: &CompileOptions,
 ) -> Result<CompiledShader, Vec<Diagnostic>> {
     let specialized = specialize::specialize(typed, options)?;
+    let is_opaque = specialized.is_opaque();
     let emitted = emit::emit(typed, &specialized, options);
     let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
     let host = emitted.host.with_layout(&valid.module);
@@ -238,6 +241,7 @@ pub fn compile_typed(
         } else {
             AlphaCutoff::of(typed, options.stage)
         },
+        is_opaque,
         root_type: emitted.root_type,
     })
 }

@@ -165,6 +165,22 @@ pub(super) struct SpecializedGraph {
     pub(super) removed: Vec<Removal>,
 }
 
+impl SpecializedGraph {
+    /// True if what the root shows has an alpha of 1, by its type or by its range.
+    pub(super) fn is_opaque(&self) -> bool {
+        let root = &self.values[self.root];
+        let alpha = || root.ranges.as_ref()?.get(3).copied();
+        match root.ty {
+            Type::Color | Type::Vec4 | Type::Composite => {
+                matches!(alpha(), Some(intervals::Range::Float(x)) if x.is_within(1.0, 1.0))
+            }
+            // Numbers, vectors and angles are shown as colors without transparency.
+            Type::Float | Type::Int | Type::Bool | Type::Vec2 | Type::Vec3 | Type::Angle => true,
+            _ => false,
+        }
+    }
+}
+
 /// Turns a checked look into values.
 ///
 /// # Errors

@@ -43,7 +43,8 @@ impl Sizes {
                 sizes.traffic +=
                     vertex * draw.mesh.positions.len() as u64 + 4 * draw.indices.len() as u64;
             }
-            let uniforms = std::iter::once(&draw.object_uniform).chain(draw.look_uniforms.values());
+            let uniforms = std::iter::once(&draw.object_uniform)
+                .chain(draw.look_uniforms.values().map(AsRef::as_ref));
             let uniforms: usize = uniforms.map(|uniform| uniform.bytes.len()).sum();
             sizes.memory += uniforms as u64;
             if meshes.insert(Arc::as_ptr(&draw.mesh)) {

@@ -1,21 +1,9 @@
-//! Passes of the looks themselves, each object with its own, from back to front.
+//! Pass of the looks themselves, each object with its own.
 
-use super::uniform;
-use crate::compile::{BindingKind, CompiledShader};
-use crate::frame::{Draw, FramePlan, PassImage};
-use crate::pipeline::{DepthUse, LookPipeline, Sides};
+use crate::compile::Stage;
+use crate::frame::FramePlan;
 use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
-
-/// A draw with its pipeline and bind group.
-pub(super) struct BoundDraw {
-    pipeline: LookPipeline,
-    group: wgpu::BindGroup,
-}
-
-fn sides(draw: &Draw) -> Sides {
-    Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored }
-}
 
 /// A color attachment that is cleared to one color.
 pub(crate) fn cleared(
@@ -48,23 +36,7 @@ impl Renderer {
         plan: &FramePlan,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let view = uniform(&self.gpu.device, &plan.view.uniform_bytes());
-        let mut bound = Vec::new();
-        let mut depths = Vec::new();
-        for draw in &plan.draws {
-            let depth = if draw.depth_first { DepthUse::Before } else { DepthUse::Together };
-            bound.push(self.bind((&draw.look, depth), draw, &view, plan.samples)?);
-        }
-        for (draw, bound) in plan.draws.iter().zip(&bound).filter(|(draw, _)| draw.depth_first) {
-            let pipeline = self.pipelines.get(
-                &self.gpu,
-                &draw.look,
-                plan.samples,
-                sides(draw),
-                DepthUse::Alone,
-            )?;
-            depths.push((draw, BoundDraw { pipeline, group: bound.group.clone() }));
-        }
+        let lists = self.bind_lists(plan, Stage::Draw, plan.samples)?;
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
             return Ok(());
         };
@@ -88,74 +60,7 @@ impl Renderer {
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        // What hides most comes first.
-        for (draw, bound) in depths.iter().rev() {
-            self.submit(&mut pass, draw, bound);
-        }
-        let are_all_known = depths.len() == plan.draws.len();
-        let all = plan.draws.iter().zip(&bound);
-        // Where two draws are equally near, the first one is seen; of draws whose depths are known
-        // the last one is.
-        let ordered: Vec<_> = if are_all_known { all.rev().collect() } else { all.collect() };
-        for (draw, bound) in ordered {
-            self.submit(&mut pass, draw, bound);
-        }
+        lists.submit(&self.meshes, &mut pass);
         Ok(())
-    }
-
-    /// Prepares all resources that a draw reads.
-    pub(super) fn bind(
-        &mut self,
-        (shader, depth): (&CompiledShader, DepthUse),
-        draw: &Draw,
-        view: &wgpu::Buffer,
-        samples: u32,
-    ) -> Result<BoundDraw, RenderError> {
-        let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides(draw), depth)?;
-        self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
-        let object = uniform(&self.gpu.device, &draw.object_uniform.bytes);
-        let look = draw.look_uniforms.get(&shader.stage).map(|uniform| &uniform.bytes);
-        let look =
-            look.filter(|bytes| !bytes.is_empty()).map(|bytes| uniform(&self.gpu.device, bytes));
-        let images =
-            self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
-        let mut entries = Vec::new();
-        for binding in &shader.bindings {
-            let resource = match &binding.kind {
-                BindingKind::View => Some(view.as_entire_binding()),
-                BindingKind::Object => Some(object.as_entire_binding()),
-                BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
-                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    images.get(*index).map(|image| image.texture())
-                }
-                BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
-                BindingKind::Pass(pass) => {
-                    let image = PassImage { pass: *pass, output: 0 };
-                    self.targets.image(image).map(wgpu::BindingResource::TextureView)
-                }
-                BindingKind::Samples => None,
-            };
-            let missing = || RenderError::Refused {
-                message: format!("nothing to bind to `{}`", binding.name),
-            };
-            entries.push(wgpu::BindGroupEntry {
-                binding: binding.binding,
-                resource: resource.ok_or_else(missing)?,
-            });
-        }
-        let descriptor = wgpu::BindGroupDescriptor {
-            label: Some("look"),
-            layout: &pipeline.layout,
-            entries: &entries,
-        };
-        let group = self.gpu.device.create_bind_group(&descriptor);
-        Ok(BoundDraw { pipeline, group })
-    }
-
-    pub(super) fn submit(&self, pass: &mut wgpu::RenderPass<'_>, draw: &Draw, bound: &BoundDraw) {
-        pass.set_pipeline(&bound.pipeline.pipeline);
-        pass.set_bind_group(0, &bound.group, &[]);
-        self.meshes.bind(pass, &draw.mesh, &bound.pipeline.attributes);
-        pass.draw_indexed(draw.indices.clone(), 0, 0..1);
     }
 }

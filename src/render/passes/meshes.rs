@@ -1,11 +1,9 @@
 //! Mesh passes: they come before the looks and draw every object with one sample a pixel: slopes,
 //! depth and object numbers.
 
-use super::look::{BoundDraw, depth_attachment};
-use super::uniform;
+use super::look::depth_attachment;
 use crate::compile::Stage;
 use crate::frame::{FramePlan, PassId};
-use crate::pipeline::DepthUse;
 use crate::{RenderError, Renderer};
 
 impl Renderer {
@@ -15,13 +13,7 @@ impl Renderer {
         (pass, stage): (PassId, Stage),
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let view = uniform(&self.gpu.device, &plan.view.uniform_bytes());
-        let mut bound: Vec<(usize, BoundDraw)> = Vec::new();
-        for (index, draw) in plan.draws.iter().enumerate() {
-            if let Some(shader) = draw.module(stage) {
-                bound.push((index, self.bind((shader, DepthUse::Together), draw, &view, 1)?));
-            }
-        }
+        let lists = self.bind_lists(plan, stage, 1)?;
         let Some(buffer) = self.targets.buffer(pass) else { return Ok(()) };
         let attachments = self.targets.attachments(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -32,9 +24,7 @@ impl Renderer {
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        for (index, bound) in &bound {
-            self.submit(&mut pass, &plan.draws[*index], bound);
-        }
+        lists.submit(&self.meshes, &mut pass);
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 
 use wgpu::util::DeviceExt as _;
 
+mod lists;
 mod look;
 mod meshes;
 mod screen;

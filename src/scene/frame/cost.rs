@@ -1,7 +1,8 @@
 //! Costs of effects: operations and bytes are counted here, time is measured by those who have a
 //! GPU.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 use serde::Serialize;
 
@@ -78,7 +79,9 @@ pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
         return module.map_or(0, |module| module_operations(&module.valid));
     };
     let modules = draws.iter().filter_map(|draw| draw.module(stage));
-    modules.map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
+    // Many draws share few modules.
+    let modules: HashMap<_, _> = modules.map(|shader| (Arc::as_ptr(shader), shader)).collect();
+    modules.values().map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
 }
 
 /// The number of operations of a whole module.

@@ -15,9 +15,9 @@ use crate::compile::{HostInputs, LightValues, Param};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::directions::KeyWeights;
 use crate::document::{
-    ColorSpace, DirectionKeys, KeyDirection, Light, Look, Target, TimeKeys, Value,
+    ColorSpace, DirectionKeys, Driver, KeyDirection, Light, Look, Target, TimeKeys, Value,
 };
-use crate::ids::{LightId, NodePath, PortName};
+use crate::ids::{LightId, NodePath, ObjectId, PortName};
 
 /// A look's keys with their weights solved, ready for any number of objects and times.
 #[derive(Clone, Debug)]
@@ -63,6 +63,24 @@ impl Rig {
         let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
         keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
         WithWarnings::new(Self { lights, exposed, time, directions, space }, warnings)
+    }
+
+    /// True if values differ between objects of the same exposed values: keys go by an object's
+    /// place and surroundings.
+    pub(in crate::frame) fn follows_objects(&self) -> bool {
+        !self.directions.is_empty()
+    }
+
+    /// Ids of objects whose distances drive keys.
+    pub(in crate::frame) fn near_objects(&self) -> impl Iterator<Item = &ObjectId> {
+        let drivers = self.directions.iter().filter_map(|(keys, _)| match &keys.by {
+            KeyDirection::Drivers(drivers) => Some(drivers),
+            KeyDirection::Light(_) | KeyDirection::View => None,
+        });
+        drivers.flatten().filter_map(|driver| match driver {
+            Driver::Near(id) => Some(id),
+            _ => None,
+        })
     }
 
     /// The rig of another state of the look. Weights are solved anew only where keys moved.

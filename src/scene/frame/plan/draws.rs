@@ -1,14 +1,21 @@
 //! Draws: the parts of visible objects, each with its modules and their values.
+//!
+//! What a look gives to all objects that wear it is computed once: its state at the time, its
+//! lights, its images, and its uniforms where nothing in them follows an object.
 
+use std::borrow::Cow;
+use std::cell::LazyCell;
+use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use glam::{DQuat, DVec3};
+use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::Draw;
 use super::images::images;
-use super::placement::{PlacedScene, VisibleObject};
+use super::order::{DrawPlace, in_lists};
+use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
@@ -16,39 +23,51 @@ use crate::diag::Diagnostic;
 use crate::document::{Light, Look};
 use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
-use crate::frame::keys::{RigInputs, Wires, structural_look};
-use crate::frame::setup::SetupLook;
+use crate::frame::keys::{RigInputs, Wires};
 use crate::geometry::MeshPart;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
+
+/// A variant of a look with everything that its draws share.
+struct WornLook<'a> {
+    /// The look with the words that it has at the time of the picture.
+    look: Cow<'a, Look>,
+    shaders: &'a LookShaders,
+    /// Modules for passes before the look, by stage.
+    before: BTreeMap<Stage, Arc<CompiledShader>>,
+    /// Lights that replace the look's own.
+    lights: Cow<'a, IndexMap<LightId, Light>>,
+    images: Vec<Arc<Image>>,
+    images_before: BTreeMap<Stage, Vec<Arc<Image>>>,
+    /// True if depths are drawn before colors.
+    depth_first: bool,
+    /// True if values differ between objects of the same exposed values.
+    follows_objects: bool,
+    /// Values that objects share, by the exposed values of the objects.
+    known: HashMap<String, Arc<DrawValues>>,
+}
 
 /// A part of an object with everything that its draw is made of.
 struct PartDraw<'a> {
     scene: &'a PlacedScene<'a>,
     visible: VisibleObject<'a>,
     part: &'a MeshPart,
-    setup: &'a SetupLook,
-    /// The look with the words that it has at the time of the picture.
-    look: &'a Look,
-    shaders: &'a LookShaders,
     /// Distances of other objects, in scene units.
     near: &'a IndexMap<ObjectId, f64>,
-    /// Lights that replace the look's own.
-    lights: &'a IndexMap<LightId, Light>,
 }
 
 /// Values of a look's uniforms for a draw.
 #[derive(Default)]
 struct DrawValues {
-    uniforms: HashMap<Stage, Uniform>,
+    uniforms: HashMap<Stage, Arc<Uniform>>,
     decided: Vec<(DVec3, Vec<f64>)>,
     /// True if the look cuts parts of its surface away.
     cuts: bool,
 }
 
 impl Planner {
-    /// The draws of visible objects from back to front, with the modules of `stages` before the
-    /// look's own.
+    /// The draws of visible objects, back to front where that may be seen and else one look after
+    /// another, with the modules of `stages` before the look's own.
     pub(super) fn draws(
         &mut self,
         scene: &PlacedScene<'_>,
@@ -57,53 +76,72 @@ impl Planner {
         stages: &[Stage],
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
         let (mut draws, mut problems) = (Vec::new(), Vec::new());
-        for object in visible {
-            match self.object_draws(scene, *object, variants, stages) {
-                Ok(found) => draws.extend(found),
-                Err(found) => problems.extend(found),
+        // `None` for looks whose images cannot be read.
+        let mut worn: HashMap<(usize, u64), Option<WornLook<'_>>> = HashMap::new();
+        let centers = LazyCell::new(|| scene.centers());
+        for &VisibleObject { number, object } in visible {
+            let place = DrawPlace::new(scene, number);
+            let parts = object.mesh.parts.iter().zip(&object.looks);
+            for (part, index) in parts.filter_map(|(part, look)| Some((part, (*look)?))) {
+                let Some(variant) = variants.get(&(number, index)) else { continue };
+                let Some(shaders) = self.shaders.get(&variant.key) else { continue };
+                let look = match worn.entry((index, variant.key)) {
+                    Entry::Occupied(known) => known.into_mut(),
+                    Entry::Vacant(slot) => {
+                        let look = scene.worn(index, &object.values);
+                        let made =
+                            WornLook::new(scene, index, (look, shaders), stages, &mut self.assets);
+                        slot.insert(made.map_err(|found| problems.extend(found)).ok())
+                    }
+                };
+                let Some(look) = look else { continue };
+                let center_of = |id: &ObjectId| centers.get(id).copied();
+                let center = scene.placed[number].center;
+                let near = near_objects(look, (&object.id, center), &center_of);
+                let visible = VisibleObject { number, object };
+                let part = PartDraw { scene, visible, part, near: &near };
+                match part.draw(look) {
+                    Ok(draw) => draws.push((draw, place)),
+                    Err(problem) => problems.push(problem),
+                }
             }
         }
         if !problems.is_empty() {
             return Err(problems);
         }
-        draws.sort_by(|a, b| b.distance.total_cmp(&a.distance));
-        Ok(draws)
-    }
-
-    fn object_draws(
-        &mut self,
-        scene: &PlacedScene<'_>,
-        visible: VisibleObject<'_>,
-        variants: &Variants,
-        stages: &[Stage],
-    ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
-        let VisibleObject { number, object } = visible;
-        let near = scene.setup.others_of(object);
-        let mut draws = Vec::new();
-        for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
-            let Some(index) = *look else { continue };
-            let Some(variant) = variants.get(&(number, index)) else { continue };
-            let Some(shaders) = self.shaders.get(&variant.key) else { continue };
-            let setup = &scene.setup.looks[index];
-            let look = structural_look(&setup.look, scene.options.time, &object.values);
-            let lights = scene.lights(index);
-            let (near, lights) = (&near, &*lights);
-            let part = PartDraw { scene, visible, part, setup, look: &look, shaders, near, lights };
-            draws.push(part.draw(&mut self.assets, stages)?);
-        }
-        Ok(draws)
+        draws.sort_by(|(a, _), (b, _)| b.distance.total_cmp(&a.distance));
+        Ok(in_lists(draws))
     }
 }
 
-impl PartDraw<'_> {
-    fn draw(&self, assets: &mut Assets, stages: &[Stage]) -> Result<Draw, Vec<Diagnostic>> {
-        let Self { scene, visible: VisibleObject { number, object }, part, shaders, .. } = *self;
+/// Distances of those other objects that drive keys of a look, in scene units.
+fn near_objects(
+    look: &WornLook<'_>,
+    (own, center): (&ObjectId, DVec3),
+    center_of: &dyn Fn(&ObjectId) -> Option<DVec3>,
+) -> IndexMap<ObjectId, f64> {
+    let others = look.shaders.rig.near_objects().filter(|id| *id != own);
+    others.filter_map(|id| Some((id.clone(), center_of(id)?.distance(center)))).collect()
+}
+
+impl<'a> WornLook<'a> {
+    /// A variant of the look with the number `index`, in its state at the time.
+    ///
+    /// # Errors
+    /// Images that cannot be read.
+    fn new(
+        scene: &'a PlacedScene<'_>,
+        index: usize,
+        (look, shaders): (Cow<'a, Look>, &'a LookShaders),
+        stages: &[Stage],
+        assets: &mut Assets,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let before: BTreeMap<Stage, Arc<CompiledShader>> = stages
             .iter()
             .filter_map(|stage| Some((*stage, shaders.before.get(stage)?.clone())))
             .collect();
-        let values = self.values(&before).map_err(|problem| vec![problem])?;
-        let mut read = |shader| images(assets, shader, self.setup);
+        let setup = &scene.setup.looks[index];
+        let mut read = |shader| images(assets, shader, setup);
         let images = read(&shaders.draw)?;
         let depth_first = reads_hcbtf(&shaders.draw) && is_opaque(&shaders.draw, &images);
         let images_before = before
@@ -111,68 +149,45 @@ impl PartDraw<'_> {
             .map(|(stage, shader)| Ok((*stage, read(shader)?)))
             .collect::<Result<BTreeMap<Stage, Vec<Arc<Image>>>, Vec<Diagnostic>>>(
         )?;
-        let (view, center) = (&scene.view, scene.placed[number].center);
-        Ok(Draw {
-            object: object.id.clone(),
-            mesh: object.mesh.clone(),
-            indices: part.indices.clone(),
-            look_name: self.look.name.clone(),
-            look: shaders.draw.clone(),
+        let reads_object = shaders.draw.host.reads_object()
+            || before.values().any(|shader| shader.host.reads_object());
+        Ok(Self {
+            look,
+            shaders,
             before,
-            object_uniform: object_uniform(
-                object.world_from_object,
-                number as f64,
-                f64::from(part.alpha_cutoff.unwrap_or(0.0)),
-            ),
-            look_uniforms: values.uniforms,
-            decided: values.decided,
+            lights: scene.lights(index),
             images,
             images_before,
-            // A solid is seen from behind by an eye within, and through parts that a look cuts
-            // away.
-            two_sided: part.two_sided || values.cuts || view.eye.distance(center) < object.radius(),
-            is_mirrored: object.world_from_object.determinant() < 0.0,
             depth_first,
-            distance: view.backward.dot(view.eye - center),
+            follows_objects: reads_object || shaders.rig.follows_objects(),
+            known: HashMap::new(),
         })
     }
 
-    /// The surroundings of the object and the time, which decide between keys.
-    fn rig_inputs(&self) -> RigInputs<'_> {
-        let PlacedScene { setup, options, view, placed, .. } = self.scene;
-        let VisibleObject { number, object } = self.visible;
-        let center = placed[number].center;
-        let time = &setup.scene.time;
-        RigInputs {
-            time: options.time,
-            illumination: DQuat::from_array(setup.scene.illumination).normalize(),
-            camera_from_world: view.rotation(),
-            view: view.toward_viewer(center),
-            center,
-            distance: view.eye.distance(center),
-            front: object.world_from_object.transform_vector3(DVec3::Z),
-            near: self.near,
-            exposed: &object.values,
-            lights: self.lights,
-            viewport: options.size.map(f64::from),
-            frame: ((options.time - time.start) * time.fps).round(),
-            object_id: number as f64,
+    /// The values for an object, whose surroundings are `inputs`.
+    fn values(&mut self, inputs: &RigInputs<'_>) -> Result<Arc<DrawValues>, Diagnostic> {
+        if self.follows_objects {
+            return self.computed(inputs).map(Arc::new);
         }
+        let key = values_key(inputs.exposed);
+        if let Some(known) = self.known.get(&key) {
+            return Ok(known.clone());
+        }
+        let values = Arc::new(self.computed(inputs)?);
+        self.known.insert(key, values.clone());
+        Ok(values)
     }
 
     /// The uniforms of the look's module and of the modules before it.
-    fn values(
-        &self,
-        before: &BTreeMap<Stage, Arc<CompiledShader>>,
-    ) -> Result<DrawValues, Diagnostic> {
+    fn computed(&self, inputs: &RigInputs<'_>) -> Result<DrawValues, Diagnostic> {
         let shaders = self.shaders;
-        let inputs = self.rig_inputs();
+        let inputs = RigInputs { lights: &self.lights, ..*inputs };
         let mut made = DrawValues::default();
         let modules = std::iter::once((shaders.draw.stage, &shaders.draw))
-            .chain(before.iter().map(|(stage, shader)| (*stage, shader)));
+            .chain(self.before.iter().map(|(stage, shader)| (*stage, shader)));
         for (stage, shader) in modules {
             let Some(table) = shaders.tables.get(&stage) else { continue };
-            let params = current_params(self.look, &shader.params);
+            let params = current_params(&self.look, &shader.params);
             let wires = Wires::of(&shaders.draw);
             let mut values = shaders.rig.evaluate(&params, table, wires, &inputs)?;
             made.decided = std::mem::take(&mut values.decided);
@@ -191,10 +206,71 @@ impl PartDraw<'_> {
                 frame: inputs.frame,
                 object_id: inputs.object_id,
             };
-            made.uniforms.insert(stage, shader.host.uniform(&host)?);
+            made.uniforms.insert(stage, Arc::new(shader.host.uniform(&host)?));
         }
         Ok(made)
     }
+}
+
+impl PartDraw<'_> {
+    fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
+        let Self { scene, visible: VisibleObject { number, object }, part, .. } = *self;
+        let values = look.values(&self.rig_inputs())?;
+        let (view, placed) = (&scene.view, &scene.placed[number]);
+        let eye_distance = view.eye.distance(placed.center);
+        Ok(Draw {
+            object: object.id.clone(),
+            mesh: object.mesh.clone(),
+            indices: part.indices.clone(),
+            look_name: look.look.name.clone(),
+            look: look.shaders.draw.clone(),
+            before: look.before.clone(),
+            object_uniform: object_uniform(
+                object.world_from_object,
+                number as f64,
+                f64::from(part.alpha_cutoff.unwrap_or(0.0)),
+            ),
+            look_uniforms: values.uniforms.clone(),
+            decided: values.decided.clone(),
+            images: look.images.clone(),
+            images_before: look.images_before.clone(),
+            // A solid is seen from behind by an eye within, and through parts that a look cuts
+            // away.
+            two_sided: part.two_sided || values.cuts || eye_distance < placed.radius,
+            is_mirrored: is_mirrored(object.world_from_object),
+            depth_first: look.depth_first,
+            distance: view.backward.dot(view.eye - placed.center),
+        })
+    }
+
+    /// The surroundings of the object and the time, which decide between keys. The lights are
+    /// the look's.
+    fn rig_inputs(&self) -> RigInputs<'_> {
+        let PlacedScene { setup, options, view, placed, .. } = self.scene;
+        let VisibleObject { number, object } = self.visible;
+        let center = placed[number].center;
+        let time = &setup.scene.time;
+        RigInputs {
+            time: options.time,
+            illumination: DQuat::from_array(setup.scene.illumination).normalize(),
+            camera_from_world: view.rotation(),
+            view: view.toward_viewer(center),
+            center,
+            distance: view.eye.distance(center),
+            front: object.world_from_object.transform_vector3(DVec3::Z),
+            near: self.near,
+            exposed: &object.values,
+            lights: &setup.scene.lights,
+            viewport: options.size.map(f64::from),
+            frame: ((options.time - time.start) * time.fps).round(),
+            object_id: number as f64,
+        }
+    }
+}
+
+/// True if triangles run the other way around after the transform.
+fn is_mirrored(world_from_object: DMat4) -> bool {
+    world_from_object.determinant() < 0.0
 }
 
 /// True if a module reads an HCBTF: a lookup takes tens of reads.

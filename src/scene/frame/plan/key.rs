@@ -7,16 +7,20 @@ use crate::compile::Live;
 use crate::document::{Graph, LightField, Look, Value};
 use crate::ids::LightId;
 
-/// The hash of everything that a look's module depends on: the whole look, or, while everything is
-/// live, the parts that are not uniforms.
+/// The hash of everything that a look's module depends on.
 pub(super) fn look_key(
     look: &Look,
     live: &Live,
     cutout: bool,
     dark: &BTreeSet<(LightId, LightField)>,
 ) -> u64 {
+    variant_key(content_key(look, live), cutout, dark)
+}
+
+/// The hash of a look's content, as far as modules depend on it: the whole look, or, while
+/// everything is live, the parts that are not uniforms.
+pub(super) fn content_key(look: &Look, live: &Live) -> u64 {
     let mut hasher = DefaultHasher::new();
-    (cutout, dark).hash(&mut hasher);
     if *live == Live::All {
         (look.color_space, look.tier, look.max_error.to_bits()).hash(&mut hasher);
         hash_graph(&look.graph, &mut hasher);
@@ -34,6 +38,17 @@ pub(super) fn look_key(
         look.to_text().hash(&mut hasher);
         format!("{live:?}").hash(&mut hasher);
     }
+    hasher.finish()
+}
+
+/// The hash of a look's content together with what its wearers add to it.
+pub(super) fn variant_key(
+    content: u64,
+    cutout: bool,
+    dark: &BTreeSet<(LightId, LightField)>,
+) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (content, cutout, dark).hash(&mut hasher);
     hasher.finish()
 }
 

@@ -2,13 +2,15 @@
 //!
 //! [`Planner::plan`] makes a plan in phases, each in a module of its own: `placement` places
 //! objects and camera and leaves out what is not seen, `variants` compiles every module of every
-//! look that is wanted, `passes` joins the passes that anything reads, `draws` computes each
-//! object's uniforms. `omissions` lists what was left out, and `images` reads what modules sample.
+//! look that is wanted, `passes` joins the passes that anything reads, `draws` computes the
+//! uniforms, each look's once where no object has others, and `order` puts draws of one look side
+//! by side. `omissions` lists what was left out, and `images` reads what modules sample.
 
 mod draws;
 mod images;
 mod key;
 mod omissions;
+mod order;
 mod passes;
 mod placement;
 mod planner;
@@ -94,8 +96,8 @@ pub struct Draw {
     pub before: BTreeMap<Stage, Arc<CompiledShader>>,
     /// The `Object` uniform.
     pub object_uniform: Uniform,
-    /// The `Look` uniforms, one for each module, by stage.
-    pub look_uniforms: HashMap<Stage, Uniform>,
+    /// The `Look` uniforms, one for each module, by stage; draws of the same values share them.
+    pub look_uniforms: HashMap<Stage, Arc<Uniform>>,
     /// Direction that decides, and the weight of each key, for each set of the look's direction
     /// keys.
     pub decided: Vec<(DVec3, Vec<f64>)>,
@@ -149,7 +151,7 @@ pub struct FramePlan {
     pub view: View,
     /// Pixels in which objects may be seen.
     pub covered: PixelArea,
-    /// Draws, back to front.
+    /// Draws, back to front where their order can be seen, else one look after another.
     pub draws: Vec<Draw>,
     /// Passes, in the order in which they run.
     pub passes: Vec<Pass>,
@@ -178,6 +180,12 @@ impl FramePlan {
             passes: passes.into_iter().rev().map(planned).collect(),
             dropped: Vec::new(),
         }
+    }
+
+    /// The draws of the pass of `stage` in lists: each has one module, the same images and sides.
+    pub fn draw_lists(&self, stage: Stage) -> impl Iterator<Item = &[Draw]> {
+        let lists = self.draws.chunk_by(move |draw, next| draw.shares_list(next, stage));
+        lists.filter(move |draws| draws[0].module(stage).is_some())
     }
 
     /// Pixels outside of which every pass over the picture results in 0: it need not run there.

@@ -1,6 +1,6 @@
 //! Passes that run before the picture, and the reasons for them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
@@ -8,10 +8,11 @@ use super::omissions::quoted;
 use super::placement::{PlacedScene, VisibleObject};
 use super::variants::{LookShaders, Variants};
 use super::{Draw, DroppedEffect, Pass, PlanOptions};
-use crate::compile::Proof;
+use crate::compile::{CompiledShader, Proof};
 use crate::frame::camera::View;
 use crate::frame::cost::{self, EffectCost};
 use crate::frame::effects::EffectKind;
+use crate::ids::ObjectId;
 use crate::library::{Context, PassId, Stage};
 
 /// Passes that are wanted, in the order of their table, with the reasons.
@@ -20,26 +21,40 @@ pub(super) struct WantedPasses(BTreeMap<PassId, String>);
 /// Looks as visible objects wear them: the first that reads a context is the reason for the
 /// context's pass.
 pub(super) struct ContextReaders<'a> {
-    pub(super) scene: &'a PlacedScene<'a>,
-    pub(super) visible: &'a [VisibleObject<'a>],
-    pub(super) variants: &'a Variants,
-    pub(super) shaders: &'a std::collections::HashMap<u64, LookShaders>,
+    scene: &'a PlacedScene<'a>,
+    /// The first object that wears each variant of a look, and the look's number.
+    first_wearers: Vec<(&'a ObjectId, usize, &'a LookShaders)>,
 }
 
-impl ContextReaders<'_> {
+impl<'a> ContextReaders<'a> {
+    /// The variants that visible objects wear.
+    pub(super) fn new(
+        scene: &'a PlacedScene<'a>,
+        visible: &[VisibleObject<'a>],
+        variants: &Variants,
+        shaders: &'a HashMap<u64, LookShaders>,
+    ) -> Self {
+        let mut seen = HashSet::new();
+        let mut first_wearers = Vec::new();
+        for VisibleObject { number, object } in visible {
+            for &look in object.looks.iter().flatten() {
+                let Some(variant) = variants.get(&(*number, look)) else { continue };
+                let is_first = seen.insert((look, variant.key));
+                if let (true, Some(shaders)) = (is_first, shaders.get(&variant.key)) {
+                    first_wearers.push((&object.id, look, shaders));
+                }
+            }
+        }
+        Self { scene, first_wearers }
+    }
+
     /// The reason why a context is wanted, if any look reads it; `what` is the context's name for
     /// people.
     fn reason(&self, context: Context, what: &str) -> Option<String> {
-        self.visible.iter().find_map(|VisibleObject { number, object }| {
-            let reads = |look: usize| {
-                let variant = self.variants.get(&(*number, look))?;
-                let shaders = self.shaders.get(&variant.key)?;
-                shaders.draw.needs.context(context).then_some(look)
-            };
-            let look = object.looks.iter().flatten().find_map(|look| reads(*look))?;
-            let name = &self.scene.setup.looks[look].look.name;
-            Some(format!("object `{}` wears {}, which reads {what}", object.id, quoted(name)))
-        })
+        let reads = |(_, _, shaders): &&(_, _, &LookShaders)| shaders.draw.needs.context(context);
+        let (object, look, _) = self.first_wearers.iter().find(reads)?;
+        let name = &self.scene.setup.looks[*look].look.name;
+        Some(format!("object `{object}` wears {}, which reads {what}", quoted(name)))
     }
 }
 
@@ -119,9 +134,16 @@ fn unwanted_cost(pass: PassId, options: &PlanOptions) -> EffectCost {
 fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, stage: Stage) -> u64 {
     let mut hasher = DefaultHasher::new();
     (options.size, options.samples, view.uniform_bytes()).hash(&mut hasher);
+    // Each module is hashed once, and then counts by its number.
+    let mut modules: HashMap<*const CompiledShader, usize> = HashMap::new();
     for draw in draws {
         let Some(shader) = draw.module(stage) else { continue };
-        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes)
+        let next = modules.len();
+        let module = *modules.entry(Arc::as_ptr(shader)).or_insert_with(|| {
+            shader.wgsl.hash(&mut hasher);
+            next
+        });
+        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, module, &draw.object_uniform.bytes)
             .hash(&mut hasher);
         let uniform = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         (uniform, draw.two_sided, draw.is_mirrored).hash(&mut hasher);

@@ -2,6 +2,7 @@
 //! lights of the same id.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 use glam::DVec3;
 use indexmap::IndexMap;
@@ -9,16 +10,17 @@ use indexmap::IndexMap;
 use super::planner::Planner;
 use super::{DroppedEffect, PlanOptions};
 use crate::compile::Live;
-use crate::document::Light;
+use crate::document::{Light, Look, Values};
 use crate::frame::camera::View;
 use crate::frame::cost::EffectCost;
 use crate::frame::coverage::PixelArea;
 use crate::frame::effects::EffectKind;
+use crate::frame::keys::structural_look;
 use crate::frame::nearest::nearest_surface;
-use crate::frame::setup::{Setup, SetupObject};
+use crate::frame::setup::{Setup, SetupLook, SetupObject};
 use crate::frame::values::live_for_values;
 use crate::frame::visibility::{CullMode, ObjectPlacement, hidden};
-use crate::ids::LightId;
+use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
 
 /// A scene whose objects and camera are placed for a picture.
@@ -28,6 +30,8 @@ pub(super) struct PlacedScene<'a> {
     pub(super) options: &'a PlanOptions,
     /// Kind of liveness of each look.
     pub(super) lives: Vec<Live>,
+    /// Looks with the words that they have at the time, on objects that set no values.
+    looks: Vec<Cow<'a, Look>>,
     /// Placement of each object.
     pub(super) placed: Vec<ObjectPlacement>,
     pub(super) view: View,
@@ -51,6 +55,20 @@ impl PlacedScene<'_> {
         let mut lights = setup.looks[look].look.lights.clone();
         lights.extend(setup.scene.lights.iter().map(|(id, light)| (id.clone(), light.clone())));
         Cow::Owned(lights)
+    }
+
+    /// The look of that number with the words that it has on an object of those values.
+    pub(super) fn worn(&self, look: usize, values: &Values) -> Cow<'_, Look> {
+        if values.is_empty() {
+            return Cow::Borrowed(&self.looks[look]);
+        }
+        structural_look(&self.setup.looks[look].look, self.options.time, values)
+    }
+
+    /// The center of each object, in world space.
+    pub(super) fn centers(&self) -> HashMap<&ObjectId, DVec3> {
+        let objects = self.setup.objects.iter().zip(&self.placed);
+        objects.map(|(object, placed)| (&object.id, placed.center)).collect()
     }
 
     /// Pixels in which the visible objects may be seen.
@@ -81,7 +99,10 @@ impl Planner {
             view.eye,
             view.least_distance(),
         ));
-        PlacedScene { setup, library, options, lives: lives(setup, live), placed, view }
+        let none = Values::new();
+        let now = |look: &'a SetupLook| structural_look(&look.look, options.time, &none);
+        let looks = setup.looks.iter().map(now).collect();
+        PlacedScene { setup, library, options, lives: lives(setup, live), looks, placed, view }
     }
 
     /// The objects of which something may be seen; the others are dropped.
@@ -123,6 +144,11 @@ fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
         _ => live,
     };
     (0..setup.looks.len()).map(|look| live_for_values(asked(look), sets_values(look))).collect()
+}
+
+/// A text that is the same for equal values only; empty for none.
+pub(super) fn values_key(values: &Values) -> String {
+    if values.is_empty() { String::new() } else { format!("{values:?}") }
 }
 
 fn bounds(objects: &[ObjectPlacement]) -> (DVec3, f64) {

@@ -95,12 +95,8 @@ impl Planner {
         let variants = self.compile_looks(&scene, &visible, &mut dropped)?;
         push_equal_looks(&mut dropped, setup, &variants);
         let shaders = &self.shaders;
-        let wanted = WantedPasses::new(&ContextReaders {
-            scene: &scene,
-            visible: &visible,
-            variants: &variants,
-            shaders,
-        });
+        let readers = ContextReaders::new(&scene, &visible, &variants, shaders);
+        let wanted = WantedPasses::new(&readers);
         let stages = wanted.stages_before();
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);

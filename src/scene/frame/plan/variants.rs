@@ -1,24 +1,30 @@
 //! Variants of looks: every module of every look that is wanted, compiled.
 //!
 //! One look is compiled in several variants where objects set its words, where it is cut out by
-//! alpha, or where different lights are dark for the objects that wear it.
+//! alpha, or where different lights are dark for the objects that wear it; but not in more variants
+//! than a few, whatever the number of objects.
 
-use std::collections::{BTreeSet, HashMap};
+use std::borrow::Cow;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use super::DroppedEffect;
-use super::key::look_key;
+use super::key::{content_key, variant_key};
 use super::omissions::push_lights;
-use super::placement::{PlacedScene, VisibleObject};
+use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
 use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
-use crate::document::{LightField, Look};
-use crate::frame::keys::{ParamTable, Rig, structural_look};
+use crate::document::{LightField, Look, Values};
+use crate::frame::keys::{ParamTable, Rig};
 use crate::frame::setup::{SetupLook, SetupObject};
 use crate::frame::visibility::{CullMode, dark_lights, fields};
 use crate::ids::LightId;
 use crate::library::{Library, Stage};
+
+/// Sets of dark lights for which one look is compiled, at most.
+const MOST_DARK_SETS: usize = 4;
 
 /// Fields of lights that are 0, with the reasons.
 pub(super) type DarkLights = Vec<((LightId, LightField), &'static str)>;
@@ -67,17 +73,21 @@ impl Planner {
     ) -> Result<Variants, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let mut variants = Variants::new();
+        let mut contents = ContentKeys::default();
+        let mut told = HashSet::new();
+        let mut all_dark = self.dark(scene, visible);
         for &VisibleObject { number, object } in visible {
             for &index in object.looks.iter().flatten() {
                 if variants.contains_key(&(number, index)) {
                     continue;
                 }
                 let look = &scene.setup.looks[index];
-                let now = structural_look(&look.look, scene.options.time, &object.values);
+                let now = scene.worn(index, &object.values);
                 let live = &scene.lives[index];
-                let dark = self.dark(scene, number, index, &now);
+                let dark = all_dark.remove(&(number, index)).unwrap_or_default();
                 let (cutout, fields) = (has_cutout(object, index), fields(&dark));
-                let key = look_key(&now, live, cutout, &fields);
+                let content = contents.get(index, &now, live, &object.values);
+                let key = variant_key(content, cutout, &fields);
                 let variant = LookVariant { key, cutout, dark: fields };
                 if !self.shaders.contains_key(&key) {
                     match self.compile_look(look, &now, scene.library, (live, &variant)) {
@@ -85,8 +95,11 @@ impl Planner {
                         Err(found) => problems.extend(found),
                     }
                 }
-                if let Some(shaders) = self.shaders.get(&key) {
+                if let Some(shaders) = self.shaders.get(&key)
+                    && !told.contains(&(index, key, dark.clone()))
+                {
                     push_lights(dropped, &now, shaders, &dark);
+                    told.insert((index, key, dark));
                 }
                 variants.insert((number, index), variant);
             }
@@ -110,8 +123,13 @@ impl Planner {
         for &VisibleObject { number, object } in visible {
             for index in object.worn_looks() {
                 let Some(variant) = variants.get(&(number, index)) else { continue };
+                let known = self.shaders.get(&variant.key).map(|shaders| &shaders.before);
+                let is_known = |stage| known.is_some_and(|known| known.contains_key(stage));
+                if stages.iter().all(is_known) {
+                    continue;
+                }
                 let look = &scene.setup.looks[index];
-                let now = structural_look(&look.look, scene.options.time, &object.values);
+                let now = scene.worn(index, &object.values);
                 for &stage in stages {
                     let options =
                         CompileOptions { stage, ..self.options(&scene.lives[index], variant) };
@@ -134,21 +152,45 @@ impl Planner {
     }
 
     /// Fields of lights that are 0 for an object that wears a look, by the object's number and the
-    /// look's.
+    /// look's. Where different lights are dark for many objects of one look, only what is dark for
+    /// all of them counts, so that the look is not compiled for each.
     fn dark(
         &self,
         scene: &PlacedScene<'_>,
-        object: usize,
-        index: usize,
-        look: &Look,
-    ) -> DarkLights {
-        // Values that may be edited at any time are never assumed to stay as they are.
-        if self.cull != CullMode::All || !matches!(scene.lives[index], Live::Keyed | Live::Exposed)
-        {
-            return Vec::new();
+        visible: &[VisibleObject<'_>],
+    ) -> HashMap<(usize, usize), DarkLights> {
+        let mut dark: HashMap<(usize, usize), DarkLights> = HashMap::new();
+        let mut sets: HashMap<usize, HashSet<BTreeSet<(LightId, LightField)>>> = HashMap::new();
+        for &VisibleObject { number, object } in visible {
+            for &index in object.looks.iter().flatten() {
+                // Values that may be edited at any time are never assumed to stay as they are.
+                if self.cull != CullMode::All
+                    || !matches!(scene.lives[index], Live::Keyed | Live::Exposed)
+                {
+                    continue;
+                }
+                let Entry::Vacant(slot) = dark.entry((number, index)) else { continue };
+                let look = scene.worn(index, &object.values);
+                let (setup, lights) = (scene.setup, scene.lights(index));
+                let placed = &scene.placed[number];
+                let found = slot.insert(dark_lights(setup, &look, &lights, placed, &scene.view));
+                sets.entry(index).or_default().insert(fields(found));
+            }
         }
-        let lights = scene.lights(index);
-        dark_lights(scene.setup, look, &lights, &scene.placed[object], &scene.view)
+        sets.retain(|_, sets| sets.len() > MOST_DARK_SETS);
+        let common: HashMap<usize, BTreeSet<(LightId, LightField)>> = sets
+            .into_iter()
+            .filter_map(|(look, sets)| {
+                let common = sets.into_iter().reduce(|common, set| &common & &set)?;
+                Some((look, common))
+            })
+            .collect();
+        for ((_, look), dark) in &mut dark {
+            if let Some(common) = common.get(look) {
+                dark.retain(|(field, _)| common.contains(field));
+            }
+        }
+        dark
     }
 
     fn compile_look(
@@ -173,6 +215,19 @@ impl Planner {
             unspecialized: self.unspecialized,
             ..CompileOptions::default()
         }
+    }
+}
+
+/// Hashes of looks' contents, each computed once for a picture.
+#[derive(Default)]
+struct ContentKeys(HashMap<(usize, String), u64>);
+
+impl ContentKeys {
+    /// The hash of the look of that number in the state `now`, which objects of those values wear.
+    fn get(&mut self, look: usize, now: &Cow<'_, Look>, live: &Live, values: &Values) -> u64 {
+        // Values that set no word leave the look as it is.
+        let values = if let Cow::Owned(_) = now { values_key(values) } else { String::new() };
+        *self.0.entry((look, values)).or_insert_with(|| content_key(now, live))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Warnings about oddities of a scene that stop nothing.
 
-use std::collections::BTreeSet;
+use std::cell::LazyCell;
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
@@ -20,25 +21,24 @@ impl Planner {
         variants: &Variants,
     ) -> Vec<Diagnostic> {
         let mut found = Vec::new();
+        let mut seen = HashSet::new();
         for VisibleObject { number, object } in visible {
             let worn =
                 object.looks.iter().flatten().filter_map(|look| variants.get(&(*number, *look)));
-            let shaders = worn.filter_map(|variant| self.shaders.get(&variant.key));
+            let shaders = worn.filter(|variant| seen.insert(variant.key));
+            let shaders = shaders.filter_map(|variant| self.shaders.get(&variant.key));
             found.extend(shaders.flat_map(|shaders| shaders.warnings.iter().cloned()));
         }
         found.extend(self.lacking_uvs(scene, visible, variants));
+        let ids = LazyCell::new(|| ids_of(scene.setup));
         for VisibleObject { object, .. } in visible {
             for look in object.worn_looks() {
-                found.extend(missing_objects(scene.setup, &scene.setup.looks[look], &object.id));
+                let look = &scene.setup.looks[look];
+                let exists = |id: &ObjectId| ids.contains(id);
+                found.extend(missing_objects(scene.setup, look, &object.id, &exists));
             }
         }
-        let mut each_once: Vec<Diagnostic> = Vec::new();
-        for problem in found {
-            if !each_once.contains(&problem) {
-                each_once.push(problem);
-            }
-        }
-        each_once
+        each_once(found)
     }
 
     /// Warnings of objects whose looks read UVs, or the tangents along them, where the meshes have
@@ -71,14 +71,37 @@ impl Planner {
     }
 }
 
+fn ids_of(setup: &Setup) -> HashSet<&ObjectId> {
+    setup.objects.iter().map(|object| &object.id).collect()
+}
+
+/// The problems in their order, without those that were there before.
+fn each_once(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut places: HashMap<String, Vec<usize>> = HashMap::new();
+    let mut each_once: Vec<Diagnostic> = Vec::new();
+    for problem in found {
+        let alike = places.entry(problem.message.clone()).or_default();
+        if !alike.iter().any(|&place| each_once[place] == problem) {
+            alike.push(each_once.len());
+            each_once.push(problem);
+        }
+    }
+    each_once
+}
+
 /// Warnings of keys that go by the distance to an object that is not in the scene.
-fn missing_objects(setup: &Setup, look: &SetupLook, own: &ObjectId) -> Vec<Diagnostic> {
+fn missing_objects(
+    setup: &Setup,
+    look: &SetupLook,
+    own: &ObjectId,
+    exists: &dyn Fn(&ObjectId) -> bool,
+) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (index, set) in look.look.direction_keys.iter().enumerate() {
         let KeyDirection::Drivers(drivers) = &set.by else { continue };
         for driver in drivers {
             let Driver::Near(id) = driver else { continue };
-            if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
+            if *id != *own && exists(id) {
                 continue;
             }
             let is_own = *id == *own;
