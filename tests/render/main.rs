@@ -3,6 +3,7 @@
 
 use chiaro_test_drawing as support;
 
+mod deferred;
 mod effects;
 mod grouping;
 mod long_graphs;

@@ -115,6 +115,8 @@ pub struct CompiledShader {
     pub cutoff: AlphaCutoff,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
+    /// True if ranges prove that the module shows nothing transparent.
+    pub is_opaque: bool,
 }
 
 impl CompiledShader {
@@ -235,5 +237,6 @@ pub fn compile_typed(
             AlphaCutoff::of(typed, options.stage)
         },
         root_type: emitted.root_type,
+        is_opaque: emitted.is_opaque,
     })
 }
