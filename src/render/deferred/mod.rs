@@ -10,8 +10,10 @@ mod pipeline;
 pub(crate) use mesh::NumberedMeshes;
 pub(crate) use pipeline::DeferredPipelines;
 
+use std::sync::Arc;
+
 use crate::compile::{BindingKind, CompiledShader};
-use crate::frame::{Deferral, Draw, FramePlan, PassId, PassImage};
+use crate::frame::{Deferral, DeferredDraw, Draw, FramePlan, PassId, PassImage};
 use crate::passes::{background, cleared, depth_attachment, tested_depth, uniform};
 use crate::pipeline::Sides;
 use crate::target::FAR_PLANE;
@@ -37,9 +39,13 @@ struct BoundDraw {
 impl Renderer {
     /// The deferred drawing of a plan's looks, where the plan wants it and the device can do it.
     pub(crate) fn deferral<'p>(&self, plan: &'p FramePlan) -> Option<&'p Deferral> {
-        let deferral = plan.deferral.as_ref().ok()?;
-        let fits = |draw: &Draw| mesh::fits(&self.gpu, &draw.mesh);
-        plan.draws.iter().all(fits).then_some(deferral)
+        let deferral = plan.deferral.as_ref().ok().filter(|_| plan.samples == 1)?;
+        let can_draw = |(draw, deferred): (&Draw, &DeferredDraw)| {
+            Arc::ptr_eq(&draw.look, &deferred.shader) && mesh::fits(&self.gpu, &draw.mesh)
+        };
+        let mut draws = plan.draws.iter().zip(&deferral.draws);
+        let is_whole = plan.draws.len() == deferral.draws.len();
+        (is_whole && draws.all(can_draw)).then_some(deferral)
     }
 
     /// Draws the surface of every object, with the numbers of triangles.

@@ -87,6 +87,9 @@ pub struct Deferral {
 /// Deferred drawing of one draw.
 #[derive(Clone, Debug)]
 pub struct DeferredDraw {
+    /// Module that the deferred one was made from: a plan whose draws have others is drawn triangle
+    /// by triangle.
+    pub shader: Arc<CompiledShader>,
     /// Modules of the draw's look.
     pub look: Arc<DeferredLook>,
     /// Pixels in which the draw's object may be seen.

@@ -86,6 +86,7 @@ impl DeferredLooks {
             (pixels, triangles) = (pixels + own.0, triangles + own.1);
             let begin = u32::try_from(first).map_err(|_| "the scene has too many triangles")?;
             deferred.push(DeferredDraw {
+                shader: draw.look.clone(),
                 look,
                 area: area(draw),
                 first: begin,
