@@ -63,7 +63,7 @@ impl DeferredModule {
 ///
 /// # Errors
 /// The reason why there is none.
-pub fn numbered_surface(shader: &CompiledShader) -> Result<String, &'static str> {
+pub(super) fn numbered_surface(shader: &CompiledShader) -> Result<String, &'static str> {
     let mut text = shader.wgsl.clone();
     let has_front = turn_into_functions(&mut text)?;
     let varyings = format!(
