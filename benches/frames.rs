@@ -4,7 +4,8 @@
 //! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
 //! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
 //! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
-//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`, `batches`. A size as `3840x2160` takes
+//! run: `looks`, `coverage`, `deferred`, `layers`, `lights`, `pixels`, `objects`, `batches`. A size
+//! as `3840x2160` takes
 //! the place of the paper's, and other words choose the looks whose names have one of them:
 //! `-- looks figure 3840x2160`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
@@ -40,7 +41,8 @@ use serde_json::{Value as Json, json};
 const PAPER: [u32; 2] = [1600, 1200];
 const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 /// Parts of the benchmark, by the words that ask for them.
-const PARTS: [&str; 7] = ["looks", "coverage", "layers", "lights", "pixels", "objects", "batches"];
+const PARTS: [&str; 8] =
+    ["looks", "coverage", "deferred", "layers", "lights", "pixels", "objects", "batches"];
 
 fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
     let options = PlanOptions { size, samples: 1, time: 0.0 };
@@ -275,6 +277,63 @@ fn coverage(renderer: &mut Renderer, size: [u32; 2]) {
     }
 }
 
+/// Frames whose looks are drawn triangle by triangle, beside frames whose looks are drawn over the
+/// picture, and the difference of their pictures.
+fn deferred(renderer: &mut Renderer, size: [u32; 2], words: &[String]) {
+    let [width, height] = size;
+    println!(
+        "\nLooks drawn triangle by triangle, and over the picture, {width}x{height}, ms a frame"
+    );
+    println!(
+        "\n| look | tier | by triangles | over the picture | share | beyond 1/255, % of pixels | \
+         most, of 255 |"
+    );
+    println!("| --- | --- | ---: | ---: | ---: | ---: | ---: |");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let names: Vec<&str> = match words {
+        [] => vec!["figure1-layers", "figure4-both", "figure6-comics"],
+        words => words.iter().map(String::as_str).collect(),
+    };
+    for name in names {
+        let file = folder.join(format!("{name}.json"));
+        let setup = open(&file, None, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{problems:?}"))
+            .value;
+        let setups =
+            [("exact", Variant::Looks(Tier::Exact).of(&setup)), ("default", automatic(&setup))];
+        for (tier, setup) in setups {
+            let over = plan(&setup, size);
+            if let Err(why) = &over.deferral {
+                println!("| {name} | {tier} | | {why} | | | |");
+                continue;
+            }
+            let plans = [over.forward(), over];
+            let series = measure(renderer, &plans, 15);
+            let share = series[1].ratio(&series[0]).median;
+            let [one, other] = [&plans[0], &plans[1]]
+                .map(|plan| block_on(renderer.picture(plan)).expect("it draws"));
+            let differences: Vec<f32> = one
+                .rgba
+                .iter()
+                .zip(&other.rgba)
+                .filter(|(one, other)| one[3] > 0.0 || other[3] > 0.0)
+                .map(|(one, other)| {
+                    let channels = one.iter().zip(other);
+                    channels.map(|(one, other)| 255.0 * (one - other).abs()).fold(0.0, f32::max)
+                })
+                .collect();
+            let beyond = differences.iter().filter(|difference| **difference > 1.0).count();
+            println!(
+                "| {name} | {tier} | {} | {} | {share:.2} | {:.3} | {:.2} |",
+                told(&series[0]),
+                told(&series[1]),
+                100.0 * beyond as f64 / differences.len().max(1) as f64,
+                differences.iter().copied().fold(0.0, f32::max)
+            );
+        }
+    }
+}
+
 fn growth(renderer: &mut Renderer, what: &str, plans: &[(String, FramePlan)]) {
     println!("\n{what}, ms a frame");
     let (names, plans): (Vec<_>, Vec<_>) = plans.iter().cloned().unzip();
@@ -303,6 +362,9 @@ fn main() {
     }
     if wants("coverage") {
         coverage(&mut renderer, size);
+    }
+    if wants("deferred") {
+        deferred(&mut renderer, size, &words);
     }
     if wants("batches") {
         batches::run(&mut renderer, size, 11);

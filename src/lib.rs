@@ -31,6 +31,8 @@
 //! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`,
 //!   `shaders/lib/slope.wgsl`.
 //! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
+//! - Looks drawn over the picture: `scene/frame/deferred/mod.rs` (`Deferral`), chosen in
+//!   `scene/frame/plan/deferral.rs`, drawn in `render/deferred/mod.rs`.
 //!
 //! HCBTFs:
 //! - Rules: rows in `compiler/document/hcbtf/rule/mod.rs` (`Rule`), strokes and reliefs beside it;

@@ -9,6 +9,7 @@ use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, progress};
 use chiaro_scene::{frame, geometry, hcbtf};
 
+mod deferred;
 mod error;
 mod eval;
 mod executor;
@@ -94,15 +95,22 @@ impl Renderer {
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
+        let deferral = self.deferral(plan);
         let mut ran = Vec::new();
         for pass in &plan.passes {
             if self.done.get(&pass.id) == Some(&pass.input_hash) {
                 continue;
             }
-            match pass.id.stage() {
-                None => self.draw_screen(plan, pass.id, &mut encoder)?,
-                Some(_) if pass.id.writes_picture() => self.draw_look(plan, &mut encoder)?,
-                Some(stage) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
+            match (pass.id.stage(), deferral) {
+                (None, _) => self.draw_screen(plan, pass.id, &mut encoder)?,
+                (Some(_), Some(deferral)) if pass.id.writes_picture() => {
+                    self.draw_deferred(plan, deferral, &mut encoder)?;
+                }
+                (Some(_), Some(deferral)) if pass.id == deferral.surface => {
+                    self.draw_numbered(plan, deferral, &mut encoder)?;
+                }
+                (Some(_), _) if pass.id.writes_picture() => self.draw_look(plan, &mut encoder)?,
+                (Some(stage), _) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }
             ran.push(pass.id);
         }

@@ -11,7 +11,7 @@ use crate::compile::{BindingKind, CompiledShader, Stage, VertexAttribute};
 use crate::frame::{PassId, PassOutput, TexelFormat, stack_of};
 
 /// Stack that any thread has to spare, in bytes; the smallest of our threads have 2 MiB.
-const SMALL_STACK: usize = 1 << 20;
+pub(super) const SMALL_STACK: usize = 1 << 20;
 
 /// Number of pipelines that are kept: as many as an editing session comes back to, including the
 /// small pictures.
@@ -48,6 +48,18 @@ pub(super) enum DepthUse {
 
 /// A fragment that draws nothing but its depth.
 const NO_COLOR: &str = "@fragment fn fs_main() -> @location(0) vec4f { return vec4f(); }";
+
+impl Sides {
+    /// Assembly of triangles of which these sides are drawn.
+    pub(super) fn primitive(self) -> wgpu::PrimitiveState {
+        let front = if self.is_mirrored { wgpu::FrontFace::Cw } else { wgpu::FrontFace::Ccw };
+        wgpu::PrimitiveState {
+            cull_mode: (!self.both).then_some(wgpu::Face::Back),
+            front_face: front,
+            ..wgpu::PrimitiveState::default()
+        }
+    }
+}
 
 /// A pipeline with the layout and the attributes that must be bound to it.
 #[derive(Clone, Debug)]
@@ -128,7 +140,10 @@ impl Pipelines {
 }
 
 /// Does work on a new thread with a stack of `stack` bytes, and waits for it.
-fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, RenderError> {
+pub(super) fn with_stack<T: Send>(
+    stack: usize,
+    work: impl FnOnce() -> T + Send,
+) -> Result<T, RenderError> {
     let no_thread = |error: std::io::Error| RenderError::OutOfMemory {
         what: format!("the compiler of this look ({error})"),
     };
@@ -197,11 +212,7 @@ fn make(
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: &buffers,
         },
-        primitive: wgpu::PrimitiveState {
-            cull_mode: (is_mesh && !sides.both).then_some(wgpu::Face::Back),
-            front_face: if sides.is_mirrored { wgpu::FrontFace::Cw } else { wgpu::FrontFace::Ccw },
-            ..wgpu::PrimitiveState::default()
-        },
+        primitive: if is_mesh { sides.primitive() } else { wgpu::PrimitiveState::default() },
         depth_stencil,
         multisample: wgpu::MultisampleState { count: samples, ..wgpu::MultisampleState::default() },
         fragment: Some(wgpu::FragmentState {
@@ -240,7 +251,7 @@ fn targets(stage: Stage, gpu: &Gpu, depth: DepthUse) -> Vec<Option<wgpu::ColorTa
 
 /// The target of the picture. The shader outputs straight color; the target is premultiplied, so
 /// that samples can be averaged.
-fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetState> {
+pub(super) fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetState> {
     let over = |src_factor| wgpu::BlendComponent {
         src_factor,
         dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
@@ -253,7 +264,7 @@ fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetState> {
     Some(wgpu::ColorTargetState { format, blend: Some(blend), write_mask: wgpu::ColorWrites::ALL })
 }
 
-fn vertex_attribute(attribute: VertexAttribute) -> wgpu::VertexAttribute {
+pub(super) fn vertex_attribute(attribute: VertexAttribute) -> wgpu::VertexAttribute {
     let format = match attribute {
         VertexAttribute::Position | VertexAttribute::Normal => wgpu::VertexFormat::Float32x3,
         VertexAttribute::Tangent | VertexAttribute::Color => wgpu::VertexFormat::Float32x4,
@@ -288,7 +299,7 @@ fn bind_group_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::Bi
     })
 }
 
-fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
+pub(super) fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
     let buffer = |ty, has_dynamic_offset| wgpu::BindingType::Buffer {
         ty,
         has_dynamic_offset,

@@ -1,5 +1,6 @@
 //! Store of a device: meshes, images and pipelines on the GPU, shared by all pictures.
 
+use super::deferred::DeferredStore;
 use super::image::Images;
 use super::mesh::Meshes;
 use super::pipeline::Pipelines;
@@ -12,6 +13,7 @@ pub(super) struct Store {
     pub(super) meshes: Meshes,
     pub(super) images: Images,
     pub(super) pipelines: Pipelines,
+    pub(super) deferred: DeferredStore,
 }
 
 impl Store {
@@ -19,6 +21,7 @@ impl Store {
     pub(super) fn keep_recent(&self) {
         self.meshes.keep_recent();
         self.images.keep_recent();
+        self.deferred.meshes.keep_recent();
     }
 
     /// Drops all resources, after the device ran out of memory: those created then must not be
@@ -27,6 +30,8 @@ impl Store {
         self.meshes.clear();
         self.images.clear();
         self.pipelines.clear();
+        self.deferred.meshes.clear();
+        self.deferred.pipelines.clear();
     }
 }
 

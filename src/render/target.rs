@@ -11,6 +11,8 @@ use crate::frame::{FramePlan, PassId, PassImage, TexelFormat};
 pub(super) const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of depth buffers.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// Format of the numbers of triangles that the picture's pixels show.
+pub(super) const TRIANGLES: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 /// Depth to which depth buffers are cleared: all that is drawn is nearer.
 pub(super) const FAR_PLANE: f32 = 1.0;
 
@@ -21,6 +23,8 @@ pub(super) struct Targets {
     picture: Option<wgpu::Texture>,
     pub(super) multisampled: Option<wgpu::TextureView>,
     pub(super) depth: Option<wgpu::TextureView>,
+    /// Numbers of triangles, where looks are drawn deferred.
+    pub(super) triangles: Option<wgpu::TextureView>,
     /// Images that passes before the looks draw.
     images: HashMap<PassImage, wgpu::TextureView>,
     /// Depth buffers of those passes that draw meshes.
@@ -43,10 +47,15 @@ impl Targets {
                 multisampled: (plan.samples > 1)
                     .then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
                 depth: Some(view(gpu, plan.size, DEPTH, plan.samples)),
+                triangles: None,
                 images: HashMap::new(),
                 buffers: HashMap::new(),
             };
             is_new = true;
+        }
+        if plan.deferral.is_ok() && self.triangles.is_none() {
+            is_new = true;
+            self.triangles = Some(view(gpu, plan.size, TRIANGLES, 1));
         }
         for pass in plan.passes.iter().map(|pass| pass.id).filter(|id| !id.writes_picture()) {
             for image in PassImage::written(pass) {

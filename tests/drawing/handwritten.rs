@@ -47,7 +47,8 @@ pub fn setup(look: HandwrittenLook) -> Setup {
 }
 
 /// The frame plan with the compiler's module, every node in one tier, or where none is given in the
-/// cheapest that nobody can see, one sample a pixel.
+/// cheapest that nobody can see, one sample a pixel. Drawn triangle by triangle, for modules are
+/// compared and not ways to draw.
 pub fn generated(setup: &Setup, tier: Option<Tier>, size: [u32; 2]) -> FramePlan {
     let mut setup = setup.clone();
     for look in &mut setup.looks {
@@ -55,7 +56,7 @@ pub fn generated(setup: &Setup, tier: Option<Tier>, size: [u32; 2]) -> FramePlan
     }
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
-    plan.unwrap_or_else(|problems| panic!("{}", problems[0])).value
+    plan.unwrap_or_else(|problems| panic!("{}", problems[0])).value.forward()
 }
 
 /// The frame plan with the module written by hand in the generated one's place, with the same

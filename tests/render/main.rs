@@ -4,6 +4,7 @@
 use chiaro_test_drawing as support;
 
 mod batches;
+mod deferred;
 mod depth_first;
 mod effects;
 mod grouping;

@@ -120,6 +120,8 @@ pub struct CompiledShader {
     pub is_opaque: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
+    /// True if ranges prove that the module shows nothing transparent.
+    pub is_opaque: bool,
 }
 
 impl CompiledShader {
@@ -243,5 +245,6 @@ pub fn compile_typed(
         },
         is_opaque,
         root_type: emitted.root_type,
+        is_opaque: emitted.is_opaque,
     })
 }

@@ -19,7 +19,7 @@ pub(crate) fn cleared(
 }
 
 /// A depth attachment that is cleared to the far plane.
-pub(super) fn depth_attachment(
+pub(crate) fn depth_attachment(
     view: &wgpu::TextureView,
     store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
@@ -28,6 +28,12 @@ pub(super) fn depth_attachment(
         depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(FAR_PLANE), store }),
         stencil_ops: None,
     }
+}
+
+/// The color behind everything, premultiplied as the picture is.
+pub(crate) fn background(plan: &FramePlan) -> wgpu::Color {
+    let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
+    wgpu::Color { r: r * a, g: g * a, b: b * a, a }
 }
 
 impl Renderer {
@@ -40,9 +46,7 @@ impl Renderer {
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
             return Ok(());
         };
-        let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
-        // The backdrop is straight, and the target premultiplied.
-        let background = wgpu::Color { r: r * a, g: g * a, b: b * a, a };
+        let background = background(plan);
         let color = match &self.targets.multisampled {
             Some(multisampled) => {
                 let mut attachment = cleared(multisampled, background);

@@ -8,11 +8,11 @@ mod look;
 mod meshes;
 mod screen;
 
-pub(crate) use look::cleared;
-pub(crate) use screen::ScreenPipeline;
+pub(crate) use look::{background, cleared, depth_attachment};
+pub(crate) use screen::{ScreenPipeline, tested_depth};
 
 /// A uniform buffer with these contents.
-fn uniform(device: &wgpu::Device, contents: &[u8]) -> wgpu::Buffer {
+pub(crate) fn uniform(device: &wgpu::Device, contents: &[u8]) -> wgpu::Buffer {
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("uniform"),
         contents,

@@ -79,7 +79,7 @@ impl ScreenPipeline {
 }
 
 /// A depth attachment that is read and not changed.
-fn tested_depth(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+pub(crate) fn tested_depth(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAttachment<'_> {
     wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None }
 }
 

@@ -28,6 +28,11 @@ impl PixelArea {
         [0, 1].map(|axis| self.end[axis].saturating_sub(self.begin[axis]))
     }
 
+    /// Number of pixels.
+    pub fn count(&self) -> u64 {
+        self.size().into_iter().map(u64::from).product()
+    }
+
     /// True if the area has no pixels.
     pub fn is_empty(&self) -> bool {
         self.size().contains(&0)

@@ -11,6 +11,7 @@ mod camera;
 mod content;
 mod cost;
 mod coverage;
+mod deferred;
 mod effects;
 mod executor;
 mod handover;
@@ -43,6 +44,9 @@ pub use assets::{
 pub use camera::{View, widened};
 pub use cost::{EffectCost, TierCosts, TierOperations, attribute_bytes, tier_costs};
 pub use coverage::PixelArea;
+pub use deferred::{
+    Deferral, DeferredDraw, DeferredLook, DeferredModule, MESH_TEXELS_PER_ROW, NumberedMesh,
+};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use executor::{Executor, PictureFuture};
 pub use handover::stack_of;

@@ -138,6 +138,7 @@ pub(super) struct EmittedModule {
     pub(super) bindings: Vec<Binding>,
     pub(super) spans: SpanMap,
     pub(super) root_type: Type,
+    pub(super) is_opaque: bool,
     pub(super) removed_within: Vec<Removal>,
 }
 
@@ -753,6 +754,7 @@ impl<'a> Emitter<'a> {
         EmittedModule {
             removed_within: self.removed_within(),
             root_type: self.special.values[self.special.root].ty.clone(),
+            is_opaque: self.is_opaque_root(),
             text: self.out,
             host: self.host,
             needs: self.needs,

@@ -3,9 +3,11 @@
 //! [`Planner::plan`] makes a plan in phases, each in a module of its own: `placement` places
 //! objects and camera and leaves out what is not seen, `variants` compiles every module of every
 //! look that is wanted, `passes` joins the passes that anything reads, `draws` computes the
-//! uniforms, each look's once where no object has others, and `order` puts draws of one look side
-//! by side. `omissions` lists what was left out, and `images` reads what modules sample.
+//! uniforms, each look's once where no object has others, `order` puts draws of one look side by
+//! side, and `deferral` chooses how looks are drawn. `omissions` lists what was left out, and
+//! `images` reads what modules sample.
 
+mod deferral;
 mod draws;
 mod images;
 mod key;
@@ -28,6 +30,7 @@ use super::assets::Image;
 use super::camera::View;
 use super::cost::EffectCost;
 use super::coverage::PixelArea;
+use super::deferred::Deferral;
 use super::effects::EffectKind;
 use crate::compile::{CompiledShader, Proof, Uniform};
 use crate::geometry::Mesh;
@@ -155,6 +158,10 @@ pub struct FramePlan {
     pub draws: Vec<Draw>,
     /// Passes, in the order in which they run.
     pub passes: Vec<Pass>,
+    /// Deferred drawing of the looks, or the reason why they are drawn triangle by triangle (empty
+    /// where no surface is drawn before them). The picture is the same; the reference draws
+    /// triangles.
+    pub deferral: Result<Deferral, String>,
     /// Effects that were left out.
     pub dropped: Vec<DroppedEffect>,
 }
@@ -178,6 +185,7 @@ impl FramePlan {
             covered: PixelArea::whole(size),
             draws: Vec::new(),
             passes: passes.into_iter().rev().map(planned).collect(),
+            deferral: Err(String::new()),
             dropped: Vec::new(),
         }
     }

@@ -73,11 +73,18 @@ impl PlacedScene<'_> {
 
     /// Pixels in which the visible objects may be seen.
     pub(super) fn covered(&self, visible: &[VisibleObject<'_>]) -> PixelArea {
-        let area = |VisibleObject { number, object }: &VisibleObject<'_>| {
-            let bounds = &self.placed[*number].bounds;
-            PixelArea::of_box(object.world_from_object, bounds, &self.view, self.options.size)
-        };
-        visible.iter().map(area).fold(PixelArea::EMPTY, PixelArea::joined)
+        visible.iter().map(|visible| self.area(visible)).fold(PixelArea::EMPTY, PixelArea::joined)
+    }
+
+    /// Pixels in which an object may be seen.
+    pub(super) fn area(&self, VisibleObject { number, object }: &VisibleObject<'_>) -> PixelArea {
+        let bounds = &self.placed[*number].bounds;
+        PixelArea::of_box(object.world_from_object, bounds, &self.view, self.options.size)
+    }
+
+    /// Pixels of the whole picture.
+    pub(super) fn whole(&self) -> PixelArea {
+        PixelArea::whole(self.options.size)
     }
 }
 

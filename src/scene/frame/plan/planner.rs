@@ -3,6 +3,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
+use super::deferral::{self, DeferredLooks};
 use super::key::look_key;
 use super::omissions::push_equal_looks;
 use super::passes::{ContextReaders, WantedPasses};
@@ -33,6 +34,8 @@ pub struct Planner {
     pub(super) used: HashSet<u64>,
     /// Nodes of compiled looks that read UVs or tangents, for meshes without UVs.
     pub(super) uv_readers: HashMap<u64, Vec<NodePath>>,
+    /// Modules of looks that are drawn deferred.
+    pub(super) deferred: DeferredLooks,
     /// True if looks are compiled as they are written: nothing folded, merged or removed.
     pub(super) unspecialized: bool,
 }
@@ -102,7 +105,9 @@ impl Planner {
         let warnings = self.warnings(&scene, &visible, &variants);
         let draws = self.draws(&scene, &visible, &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
-        let passes = wanted.planned(&draws, &scene.view, options);
+        let mut passes = wanted.planned(&draws, &scene.view, options);
+        let deferral = self.deferred.deferral(&scene, &visible, &passes, &draws);
+        deferral::tell(&mut passes, &deferral);
         let plan = FramePlan {
             size: options.size,
             samples: options.samples,
@@ -111,6 +116,7 @@ impl Planner {
             covered: scene.covered(&visible),
             draws,
             passes,
+            deferral,
             dropped,
         };
         Ok(WithWarnings::new(plan, warnings))
