@@ -5,9 +5,8 @@
 //! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
 //! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
 //! run: `looks`, `coverage`, `deferred`, `layers`, `lights`, `pixels`, `objects`, `batches`. A size
-//! as `3840x2160` takes
-//! the place of the paper's, and other words choose the looks whose names have one of them:
-//! `-- looks figure 3840x2160`.
+//! as `3840x2160` takes the place of the paper's, and other words choose the looks whose names have
+//! one of them: `-- looks figure 3840x2160`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks the clock")]

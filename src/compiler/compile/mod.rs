@@ -116,12 +116,11 @@ pub struct CompiledShader {
     pub live: Live,
     /// The test whether the look cuts parts of the surface away, through which the back is seen.
     pub cutoff: AlphaCutoff,
-    /// True if ranges prove that every fragment hides what lies behind it: its alpha is 1.
+    /// True if ranges prove that every fragment hides what lies behind it, to the bit: its alpha is
+    /// 1. [`Self::opaque_with`] allows for roundings, and for images that may turn out opaque.
     pub is_opaque: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
-    /// True if ranges prove that the module shows nothing transparent.
-    pub is_opaque: bool,
 }
 
 impl CompiledShader {
@@ -245,6 +244,5 @@ pub fn compile_typed(
         },
         is_opaque,
         root_type: emitted.root_type,
-        is_opaque: emitted.is_opaque,
     })
 }

@@ -96,20 +96,6 @@ impl Emitter<'_> {
             || root.ranges.as_ref().is_some_and(|ranges| ranges.iter().all(is_unit))
     }
 
-    /// True if ranges prove the alpha of what is shown to be 1.
-    pub(super) fn is_opaque_root(&self) -> bool {
-        let root = &self.special.values[self.special.root];
-        match root.ty {
-            Type::Color | Type::Vec4 => root.ranges.as_ref().is_some_and(|ranges| {
-                let alpha = ranges.get(3);
-                matches!(alpha, Some(intervals::Range::Float(x)) if x.is_within(1.0, 1.0))
-            }),
-            // Whatever else is shown has an alpha of 1.
-            Type::Composite => false,
-            _ => true,
-        }
-    }
-
     /// The functions of the library that the frame may call.
     pub(super) fn frame_functions(&self) -> Vec<String> {
         let stage = self.options.stage;

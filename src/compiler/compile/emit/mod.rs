@@ -138,7 +138,6 @@ pub(super) struct EmittedModule {
     pub(super) bindings: Vec<Binding>,
     pub(super) spans: SpanMap,
     pub(super) root_type: Type,
-    pub(super) is_opaque: bool,
     pub(super) removed_within: Vec<Removal>,
 }
 
@@ -754,7 +753,6 @@ impl<'a> Emitter<'a> {
         EmittedModule {
             removed_within: self.removed_within(),
             root_type: self.special.values[self.special.root].ty.clone(),
-            is_opaque: self.is_opaque_root(),
             text: self.out,
             host: self.host,
             needs: self.needs,
