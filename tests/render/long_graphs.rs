@@ -51,7 +51,7 @@ fn compiles(count: usize) {
     let shader = compile(&look_of(chain(count)), Library::built_in(), &CompileOptions::default())
         .expect("it compiles")
         .value;
-    assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
+    assert!(shader.wgsl.len() > 10 * count, "where did {count} nodes go?");
     let longest = lines_of_longest_function(&shader.wgsl);
     assert!(longest < 100, "a function of {longest} lines");
 }

@@ -246,7 +246,7 @@ fn what_a_driver_would_recurse_over_is_told() {
     assert_eq!(depth(1000, 0), None);
     assert_eq!(depth(20_000, 0), None, "it is handed over in pieces");
     // Drivers take few loops, and so many leave none for the pieces.
-    let told = depth(20_000, 10).expect("it is too deep");
+    let told = depth(30_000, 10).expect("it is too deep");
     assert!(told.contains(&MAX_DEPTH.to_string()), "{told}");
 }
 
@@ -280,8 +280,8 @@ fn what_a_driver_recurses_over_has_the_stack_for_it() {
 #[test]
 fn what_is_too_deep_is_not_handed_to_the_driver() {
     use chiaro::frame::{Assets, EvalSample, eval_batches};
-    let look = support::eval::look(&sines(20_000, 10));
-    let (samples, options) = ([EvalSample::default()], support::eval::options("n19999.sine"));
+    let look = support::eval::look(&sines(30_000, 10));
+    let (samples, options) = ([EvalSample::default()], support::eval::options("n29999.sine"));
     let batches =
         eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
     let batches = batches.unwrap_or_else(|problems| panic!("{}", support::eval::told(&problems)));

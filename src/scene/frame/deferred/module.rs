@@ -66,14 +66,24 @@ impl DeferredModule {
 pub(super) fn numbered_surface(shader: &CompiledShader) -> Result<String, &'static str> {
     let mut text = shader.wgsl.clone();
     let has_front = turn_into_functions(&mut text)?;
-    let varyings = format!(
-        "{VARYINGS_HEAD}    @location(7) @interpolate(flat, first) deferred_triangle: u32,\n"
-    );
-    text = text.replacen(VARYINGS_HEAD, &varyings, 1);
+    let members = varyings(&text);
     let (parameter, argument) = front(has_front);
+    let of = |owner: &str| {
+        let members = members.iter().map(|(_, name, _)| format!("{owner}.{name}"));
+        members.collect::<Vec<_>>().join(", ")
+    };
+    let declared: String = members
+        .iter()
+        .map(|(attribute, name, ty)| format!("    {attribute} {name}: {ty},\n"))
+        .collect();
+    let (seen, given) = (of("seen"), of("in"));
     let _ = write!(
         text,
         "
+struct DeferredVaryings {{
+{declared}    @location(7) @interpolate(flat, first) deferred_triangle: u32,
+}}
+
 struct DeferredTexels {{
     @location(0) surface: vec4f,
     @location(1) triangle: u32,
@@ -81,15 +91,14 @@ struct DeferredTexels {{
 
 @vertex
 fn vs_main(vertex: Vertex, @builtin(vertex_index) number: u32, @builtin(instance_index) first: u32)
-    -> Varyings {{
-    var out = deferred_varyings(vertex);
-    out.deferred_triangle = number + first;
-    return out;
+    -> DeferredVaryings {{
+    let seen = deferred_varyings(vertex);
+    return DeferredVaryings({seen}, number + first);
 }}
 
 @fragment
-fn fs_main(in: Varyings{parameter}) -> DeferredTexels {{
-    return DeferredTexels(deferred_pixel(in{argument}), in.deferred_triangle);
+fn fs_main(in: DeferredVaryings{parameter}) -> DeferredTexels {{
+    return DeferredTexels(deferred_pixel(Varyings({given}){argument}), in.deferred_triangle);
 }}
 "
     );
@@ -97,6 +106,21 @@ fn fs_main(in: Varyings{parameter}) -> DeferredTexels {{
         Ok(_) => Ok(text),
         Err(_) => Err("a name in its surface is one that this takes"),
     }
+}
+
+/// Members of the varyings of a module: attribute, name and type of each.
+fn varyings(text: &str) -> Vec<(&str, &str, &str)> {
+    let members = text.split_once("struct Varyings {\n").map_or("", |(_, after)| after);
+    let member = |line: &'_ str| -> Option<(usize, usize)> {
+        Some((line.find(") ")? + 1, line.rfind(": ")?))
+    };
+    let lines = members.lines().take_while(|line| *line != "}").map(str::trim);
+    let lines = lines.filter_map(|line| Some((line, member(line)?)));
+    lines
+        .map(|(line, (name, ty))| {
+            (&line[..name], &line[name + 1..ty], line[ty + 2..].trim_end_matches(','))
+        })
+        .collect()
 }
 
 /// Parameter and argument that tell the side that is seen.
