@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::compile::{TierReason, check};
 use crate::document::{Look, MAX_ERROR, Tier};
-use crate::export::description::TierCounts;
 use crate::library::Library;
+use chiaro_scene::export::description::TierCounts;
 
 /// Choice of `--tier`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

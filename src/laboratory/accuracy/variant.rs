@@ -136,8 +136,8 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// What a look leaves to the automatic choice is measured, too: else a tuned look would have
-    /// tiers that nobody measured.
+    /// Nodes that a look leaves to the automatic choice are measured, too: else a tuned look would
+    /// have tiers that nobody measured.
     #[test]
     fn every_node_that_can_be_cheaper_has_tiers_to_measure() {
         let library = Library::built_in();
