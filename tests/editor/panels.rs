@@ -540,3 +540,24 @@ fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
     hand.settle();
     assert!(!hand.has("Cut-off on the object") && hand.has("Values of Diffuse over the picture"));
 }
+
+/// The difference that automatic tiers may make is set in steps of a screen, where the tier is.
+#[test]
+fn the_difference_of_automatic_tiers_is_a_field() {
+    use chiaro::document::{MAX_ERROR, Tier};
+    let mut hand = User::new();
+    hand.app_mut().open(std::path::Path::new("examples/looks/figure2-diffuse.json"));
+    hand.settle();
+    assert_eq!((hand.look().tier, hand.look().max_error), (None, MAX_ERROR));
+    hand.set("Difference", "3");
+    assert!((hand.look().max_error - 3.0 / 255.0).abs() < 1e-12, "{}", hand.look().max_error);
+    hand.set("Difference", "-4");
+    assert_eq!(hand.look().max_error, 0.0, "no difference is below 0");
+    hand.undo();
+    hand.settle();
+    assert_eq!(hand.look().max_error, MAX_ERROR);
+    let exact = chiaro::document::Edit::SetLookTier { tier: Some(Tier::Exact) };
+    hand.app_mut().session_mut().apply(exact, None).expect("a look has a tier");
+    hand.settle();
+    assert!(hand.harness.query_by_label("Difference").is_none(), "nothing is automatic");
+}

@@ -93,12 +93,13 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
     let table = report.table();
     assert!(table.contains("Shine") && table.contains("whole look"), "{table}");
     let svg = chiaro::accuracy::plot::svg(&report, whole, "Two <layers>", Measure::Max);
-    assert!(svg.contains("Two &lt;layers&gt;") && svg.matches("<circle").count() == 3, "{svg}");
+    assert!(svg.contains("Two &lt;layers&gt;") && svg.matches("<circle").count() == 4, "{svg}");
     let verdict = report.verdict(Measure::P999, 1.0 / 255.0);
     assert!(
-        verdict.lines().count() == 3 && verdict.contains("exact: within 3.92e-3 by p99.9"),
+        verdict.lines().count() == 4 && verdict.contains("exact: within 3.92e-3 by p99.9"),
         "{verdict}"
     );
+    assert!(verdict.contains("automatic: within"), "{verdict}");
     assert!(report.verdict(Measure::Max, 1e-12).contains("fast: beyond"), "{verdict}");
     let described = json!(report);
     assert_eq!(described["rows"][0]["tier"], "exact");
@@ -135,7 +136,8 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     let tuned = block_on(tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()))
         .unwrap();
     assert!(tuned.is_met && tuned.error.max <= 1.0 / 255.0, "{tuned:?}");
-    // Two layers have two candidates each, balanced and fast.
+    // Two layers have two candidates each, balanced and fast; the output has a tier by the rules of
+    // functions that it may call, and is the same in it.
     assert_eq!(tuned.candidates.len(), 4);
     assert!(tuned.candidates.iter().all(|candidate| candidate.error > 0.0));
     // Each chosen tier was measured to save more time than the noise, and there is at most one a

@@ -6,7 +6,7 @@ use super::error::VISIBLE;
 use super::report::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 use super::size::Sizes;
 use super::truth::Truth;
-use super::variant::{Variant, can_be_left_out, tiers_of};
+use super::variant::{Variant, can_be_left_out, distinct_tiers, tiers_of};
 use super::{ErrorFigures, MeasureError, PremultipliedPicture, TimeEstimate};
 use crate::compile::Live;
 use crate::document::Tier;
@@ -51,12 +51,18 @@ pub async fn bench(
     options: &BenchOptions,
     progress: &Progress,
 ) -> Result<BenchReport, MeasureError> {
-    let nodes = nodes(setup, library, options.nodes);
+    let mut nodes = nodes(setup, library, options.nodes);
+    let mut planner = Planner::default();
+    for node in &mut nodes {
+        let (place, tiers) = ((node.look, &node.id), &node.tiers);
+        node.tiers = distinct_tiers(&mut planner, (setup, library), &options.plan, place, tiers)?;
+    }
+    let every = options.nodes == MeasuredNodes::Every;
+    nodes.retain(|node| node.tiers.len() > 1 || (every && node.can_be_left_out));
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
     let precise = renderer.gpu().precise().executor();
-    let mut bench =
-        Bench { setup, library, renderer, precise, options, planner: Planner::default() };
+    let mut bench = Bench { setup, library, renderer, precise, options, planner };
     let truth = if options.truth { Some(bench.truth(progress).await?) } else { None };
     let mut rows = bench.looks(&tiers, truth.as_ref(), progress).await?;
     for node in &nodes {

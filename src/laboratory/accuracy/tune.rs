@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::cost::alternate;
 use super::measure::Measure;
 use super::truth::Truth;
-use super::variant::{Variant, tiers_of};
+use super::variant::{Variant, distinct_tiers, tiers_of};
 use super::viewpoint::{Viewpoint, viewpoints};
 use super::{ErrorFigures, MeasureError, TimeEstimate};
 use crate::compile::Live;
@@ -198,7 +198,14 @@ pub async fn tune(
 ) -> Result<TuneReport, MeasureError> {
     let exact: Vec<Setup> =
         setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
-    let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
+    let mut nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
+    if let Some(setup) = exact.first() {
+        let (mut planner, of) = (Planner::default(), (setup, library));
+        for (look, node, tiers) in &mut nodes {
+            *tiers = distinct_tiers(&mut planner, of, &options.plan, (*look, node), tiers)?;
+        }
+        nodes.retain(|(_, _, tiers)| !tiers.is_empty());
+    }
     let tries: usize = nodes.iter().map(|(_, _, tiers)| tiers.len()).sum();
     let pictures = options.viewpoints * setups.len() * (4 + tries);
     progress.expect((pictures + (options.rounds + 2) * (2 + nodes.len())) as u64);

@@ -1,8 +1,9 @@
 //! Variants: the same setup with one thing changed.
 
-use crate::compile::can_be_muted;
+use crate::compile::{Live, can_be_muted};
+use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier};
-use crate::frame::Setup;
+use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::{GroupPorts, Library, NodeDef};
 
@@ -112,6 +113,41 @@ fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> {
     def.tiers().into_iter().chain(by_rules)
 }
 
+/// The tiers among `tiers` of a node in which a setup runs other modules than in the node's exact
+/// tier; in the others it is the same picture in the same time.
+///
+/// # Errors
+/// Problems of the setup.
+pub fn distinct_tiers(
+    planner: &mut Planner,
+    (setup, library): (&Setup, &Library),
+    options: &PlanOptions,
+    (look, node): (usize, &NodeId),
+    tiers: &[Tier],
+) -> Result<Vec<Tier>, Vec<Diagnostic>> {
+    let mut modules = |tier: Tier| {
+        let setup = Variant::Node { look, node: node.clone(), tier }.of(setup);
+        let plan = planner.plan(&setup, library, &Live::Keyed, options)?.value;
+        Ok::<_, Vec<Diagnostic>>(modules_of(&plan))
+    };
+    let exact = modules(Tier::Exact)?;
+    let mut distinct = Vec::new();
+    for &tier in tiers {
+        if tier == Tier::Exact || modules(tier)? != exact {
+            distinct.push(tier);
+        }
+    }
+    Ok(distinct)
+}
+
+/// Passes and modules of a plan.
+fn modules_of(plan: &FramePlan) -> Vec<String> {
+    let passes = plan.passes.iter().map(|pass| pass.id.label().to_owned());
+    let shaders =
+        plan.draws.iter().flat_map(|draw| std::iter::once(&draw.look).chain(draw.before.values()));
+    passes.chain(shaders.map(|shader| shader.wgsl.clone())).collect()
+}
+
 /// True if a look still makes sense without a node: each of its outputs can pass an input through
 /// or be zero.
 pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
@@ -136,8 +172,8 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// What a look leaves to the automatic choice is measured, too: else a tuned look would have
-    /// tiers that nobody measured.
+    /// Nodes that a look leaves to the automatic choice are measured, too: else a tuned look would
+    /// have tiers that nobody measured.
     #[test]
     fn every_node_that_can_be_cheaper_has_tiers_to_measure() {
         let library = Library::built_in();

@@ -373,7 +373,8 @@ fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
                 steps of a screen; 1 is seen by nobody. More allows cheaper tiers, and 0 none. It \
                 is estimated; Cost and accuracy measures it";
     row::labelled(ui, "Difference", help, |ui, label| {
-        let mut steps = look.max_error * STEPS;
+        // A whole number of steps is shown as one, in spite of rounding.
+        let mut steps = (look.max_error * STEPS * 1e6).round() / 1e6;
         let unit = if (steps - 1.0).abs() < 0.005 { " step" } else { " steps" };
         let field =
             DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);

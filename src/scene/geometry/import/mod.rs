@@ -62,8 +62,8 @@ pub fn import(
     import_bytes(name, bytes, siblings)
 }
 
-/// Imports a file, whose bytes are dropped as soon as they are read: building the mesh takes several
-/// times as much memory.
+/// Imports a file, whose bytes are dropped as soon as they are read: building the mesh takes much
+/// memory besides.
 fn import_bytes(
     name: &str,
     bytes: impl AsRef<[u8]>,
