@@ -122,36 +122,13 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     return clamp(exp2_stable(exponent * log_base), 0.0, 1.0);
 }
 
-/// True if a soft profile is flat over a footprint of `w` radians around the half-sine s from tau:
-/// within the offset, or beyond the cut-off.
-fn profile_is_flat(s: f32, w: f32, shape: ProfileShape) -> bool {
-    return (s <= -0.25 * w) | ((s - 0.25 * w) * shape.scale >= 1.0);
-}
-
-/// True if a footprint lies between the ends of a soft profile's slope, and is narrower than the
-/// edge's deviation: [`profile_bent`] has the average there.
-fn profile_is_within_slope(s: f32, w: f32, shape: ProfileShape) -> bool {
-    return (s > 0.25 * w) & ((s + 0.5 * w) * shape.scale < 1.0) & (w < shape.edge_deviation);
-}
-
-/// The average over a footprint of `w` within the slope, to its second order: alpha, which is
-/// `point` at the half-sine s, and w^2 / 24 of its second derivative (docs/math.md 2.4).
-fn profile_bent(point: f32, s: f32, w: f32, shape: ProfileShape) -> f32 {
-    let q = s * shape.scale;
-    let rest = max((1.0 - q) * (1.0 + q), 1e-7);
-    let bend = s * s - 0.5 + (shape.exponent - 1.0) * q * q * (1.0 - s * s) / rest;
-    let share = w * shape.scale;
-    let amount = 0.0416666666666666667 * shape.exponent * share * share;
-    return clamp(point + point * amount * bend / rest, 0.0, 1.0);
-}
-
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
-/// ramp of the gradient's width where the edge is narrower than a pixel; else the point value where
-/// the profile is flat, a closed form within its slope, and at the slope's ends three-point Gauss
-/// quadrature.
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if (w <= 0.0) | (shape.kind == PROFILE_AMBIENT) {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | (shape.kind == PROFILE_AMBIENT) {
         return point;
     }
     // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
@@ -159,11 +136,6 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if (shape.edge_deviation < 0.145) & (w >= 3.46410161513775459 * shape.edge_deviation) {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    let flat = profile_is_flat(s, w, shape);
-    if flat | profile_is_within_slope(s, w, shape) {
-        return select(profile_bent(point, s, w, shape), point, flat);
     }
     let reach = sin_cos_quarter(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
@@ -173,6 +145,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
+/// @where tier is balanced and |q| <= 1e18 and exponent >= 0.5 and exponent <= 16 :
+///   pow(max(1.0 - q * q, 0.0), exponent) ~ 1e-5
 fn profile_power_quick(q: f32, exponent: f32) -> f32 {
     let y = min(q * q, 1.0);
     let power = exp2(max(exponent * log2_one_minus(y), -126.0));
@@ -214,9 +188,8 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
-    let flat = profile_is_flat(place.x, w, shape);
-    if flat | profile_is_within_slope(place.x, w, shape) {
-        return select(profile_bent(point, place.x, w, shape), point, flat);
+    if w < 0.1 * shape.edge_deviation {
+        return point;
     }
     // Half of the quadrature's reach is below 0.1.
     let r = 0.193649167310370844 * w;

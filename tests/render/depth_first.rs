@@ -1,5 +1,5 @@
-//! Depths that are drawn before looks: the picture is the same to the bit, and only looks that
-//! hide what is behind them and read an HCBTF ask for them.
+//! What makes painted surfaces quick: depths that are drawn before looks, of which the picture stays
+//! the same, and modules that hold one storage and, by default, taps.
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
 use chiaro::compile::Live;
-use chiaro::document::{Camera, Directions, Grid, Hcbtf, Scene, Tile};
+use chiaro::document::{Camera, Directions, Grid, Hcbtf, Scene, Tier, Tile};
 use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup};
 use chiaro::library::Library;
 use glam::{DMat4, DVec3};
@@ -107,6 +107,25 @@ fn depths_that_come_first_change_no_pixel() {
             let count = first.iter().zip(&together).filter(|pair| differ(*pair)).count();
             assert_eq!(count, 0, "{storage}, {samples} samples a pixel");
         }
+    }
+}
+
+/// A step of a screen is more than the balanced tier may be off, so that nobody needs to ask for
+/// its taps; and a module for one storage has no code for the others.
+#[test]
+fn a_module_has_one_storage_and_taps_by_default() {
+    let path = file("modules", true);
+    for (storage, has_taps, has_pieces) in
+        [("quick", true, false), ("compact", true, true), ("blocks", true, true)]
+    {
+        let mut setup = setup(&path, storage, 1.0);
+        let wgsl = |setup: &Setup| plan(setup, 1).draws[0].look.wgsl.clone();
+        let default = wgsl(&setup);
+        assert_eq!(default.contains("textureSampleLevel"), has_taps, "{storage}:\n{default}");
+        setup.looks.iter_mut().for_each(|worn| worn.look.tier = Some(Tier::Exact));
+        let exact = wgsl(&setup);
+        assert!(!exact.contains("textureSampleLevel"), "{storage}:\n{exact}");
+        assert_eq!(exact.contains("fn hcbtf_piece"), has_pieces, "{storage}:\n{exact}");
     }
 }
 

@@ -49,21 +49,14 @@ pub fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
 pub fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let q = (0.5 * x).sin() / (0.5 * c).sin();
-        if q >= 1.0 { 0.0 } else { (gamma(f, c) * (-q * q).ln_1p()).exp() }
+        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f). Near pi the same formula takes the
+        // angles that are left to pi: a turn by pi changes the sign of both cosines.
+        let (c_near, f_near) = if c < FRAC_PI_2 { (c, f) } else { (PI - c, PI - f) };
+        let of_c = 2.0 * (0.5 * c_near).sin().powi(2);
+        let of_f = 2.0 * (0.5 * f_near).sin().powi(2);
+        let gamma = (of_c + c_near.cos() * of_f) / f_near.sin().powi(2);
+        if q >= 1.0 { 0.0 } else { (gamma * (-q * q).ln_1p()).exp() }
     })
-}
-
-/// gamma(f, c) of BADF eq. 11, for 0 < f <= c, both from the offset; 1 where they are equal (D5).
-pub fn gamma(f: f64, c: f64) -> f64 {
-    if f == c {
-        return 1.0;
-    }
-    // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f). Near pi the same formula takes the
-    // angles that are left to pi: a turn by pi changes the sign of both cosines.
-    let (c_near, f_near) = if c < FRAC_PI_2 { (c, f) } else { (PI - c, PI - f) };
-    let of_c = 2.0 * (0.5 * c_near).sin().powi(2);
-    let of_f = 2.0 * (0.5 * f_near).sin().powi(2);
-    (of_c + c_near.cos() * of_f) / f_near.sin().powi(2)
 }
 
 /// The limits of docs/math.md 2.2 around a formula for 0 < f' < c'.

@@ -99,38 +99,20 @@ impl Layer {
     }
 
     /// alpha filtered over a footprint (docs/math.md 2.4): a ramp where the edge is narrower than
-    /// the footprint, the second order within the slope, three points at the slope's ends.
+    /// the footprint, three points where it is not much wider.
     fn filtered(&self, u: f64, width: f64) -> f64 {
         let alpha = |u: f64| badf::alpha(u.clamp(0.0, PI), 0.0, self.profile);
         let [mean, deviation] = self.edge;
-        if width <= 0.0 || self.profile[0] >= PI - 1e-5 {
+        if width <= 0.0 || self.profile[0] >= PI - 1e-5 || (width < 0.1 * deviation) {
             return alpha(u);
         }
         if width >= 12.0_f64.sqrt() * deviation {
             let ramp = (width * width + 12.0 * deviation * deviation).sqrt();
             return (0.5 + (self.profile[0] + mean - u) / ramp).clamp(0.0, 1.0);
         }
-        let [tau, f, c] = badf::sanitized(self.profile);
-        let (end, half_sine) = ((0.5 * (c - tau)).sin(), (0.5 * (u - tau)).sin());
-        if half_sine <= -0.25 * width || half_sine - 0.25 * width >= end {
-            return alpha(u);
-        }
-        if half_sine > 0.25 * width && half_sine + 0.5 * width < end && width < deviation {
-            return alpha(u) + width * width / 24.0 * second_derivative([tau, f, c], u);
-        }
         let reach = 0.15_f64.sqrt() * width;
         (5.0 * alpha(u - reach) + 8.0 * alpha(u) + 5.0 * alpha(u + reach)) / 18.0
     }
-}
-
-/// Second derivative of alpha by u within the slope of a profile (offset, fall-off, cut-off).
-fn second_derivative([tau, f, c]: [f64; 3], u: f64) -> f64 {
-    let gamma = badf::gamma(f - tau, c - tau);
-    let scale = 1.0 / (0.5 * (c - tau)).sin().powi(2);
-    let base = 1.0 - scale * (0.5 * (u - tau)).sin().powi(2);
-    // Of base: half a sine and half a cosine of the whole angle.
-    let [first, second] = [(u - tau).sin(), (u - tau).cos()].map(|x| -0.5 * scale * x);
-    gamma * base.powf(gamma) * (second / base + (gamma - 1.0) * (first / base).powi(2))
 }
 
 /// |grad u| from the quad's differences, at most 0.5. A difference is measured by its chord, 4
