@@ -50,7 +50,7 @@ fn layered(number: usize, alpha: f64) -> SetupLook {
         "exposed": [{"name": "tint", "target": "base.color"}],
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [share, 0.5, 0.2, alpha]}},
-            {"id": "layer", "kind": "light_layer", "values": {"light": "key",
+            {"id": "layer", "kind": "light_layer", "values": {"light": "key", "slope": 0.2,
                 "convex": [0.1, share, 0.9], "concave": [0.9, share, 0.1], "blend": "add"}},
             {"id": "output", "kind": "output"}],
         "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}))
@@ -190,7 +190,7 @@ fn lists_change_no_pixel_of_objects_that_hide_and_show_one_another() {
         let different = together.iter().zip(&apart).filter(|(a, b)| a != b).count();
         assert_eq!(different, 0, "round {round}");
     }
-    assert!(joined > 60, "few draws were joined: {joined}");
+    assert!(joined > 20, "few draws were joined: {joined}");
 }
 
 #[test]
@@ -213,8 +213,8 @@ fn values_are_shared_by_objects_of_the_same_values_only() {
     };
     assert!(Arc::ptr_eq(&of(0), &of(8)) && Arc::ptr_eq(&of(2), &of(6)));
     assert!(of(0) != of(2) && of(2) != of(4));
-    // Each object is seen from another side.
-    assert!(of(1) != of(3) && of(3) != of(11));
+    // They are seen from other sides.
+    assert!(of(1) != of(3) && of(3) != of(5));
     let lists = plan.draw_lists(Stage::Draw).count();
     assert_eq!(lists, 2, "one for each look, whatever the values");
 }

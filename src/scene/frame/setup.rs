@@ -1,5 +1,6 @@
 //! A scene together with everything that it names: looks, meshes, images.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -196,6 +197,11 @@ pub fn default_setup(
 /// The matrix from object to world space: fit, scale, turn, move.
 pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
     let fit = if transform.fit { mesh.fit().matrix() } else { DMat4::IDENTITY };
+    placed(transform, fit)
+}
+
+/// The matrix of an object whose mesh is fitted already.
+fn placed(transform: &Transform, fit: DMat4) -> DMat4 {
     let rotation = DQuat::from_array(transform.rotate);
     let rotation =
         if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
@@ -246,6 +252,8 @@ pub fn place_objects(
     looks: &mut dyn LookSource,
 ) -> WithWarnings<Vec<SetupObject>> {
     let (mut objects, mut problems) = (Vec::new(), Vec::new());
+    // Many objects may show one large mesh. The objects hold the meshes, so addresses stay theirs.
+    let mut fits: HashMap<*const Mesh, DMat4> = HashMap::new();
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         if !object.visible {
             continue;
@@ -274,9 +282,14 @@ pub fn place_objects(
             .iter()
             .map(|part| looks.find(look_of(object, &part.material)?).tell(&mut problems))
             .collect();
+        let fit = if object.transform.fit {
+            *fits.entry(Arc::as_ptr(&mesh)).or_insert_with(|| mesh.fit().matrix())
+        } else {
+            DMat4::IDENTITY
+        };
         objects.push(SetupObject {
             id: id.clone(),
-            world_from_object: object_matrix(&object.transform, &mesh),
+            world_from_object: placed(&object.transform, fit),
             mesh,
             looks: worn,
             values: object.values.clone(),
