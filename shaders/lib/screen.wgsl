@@ -8,9 +8,9 @@ import chiaro::noise;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const MOST_ON_SCREEN: f32 = 1e15;
 
-/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15. `perspective`
-/// is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at every depth
-/// without perspective.
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);

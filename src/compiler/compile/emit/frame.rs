@@ -91,7 +91,10 @@ impl Emitter<'_> {
     /// True if what is shown is known to be a unit vector.
     fn is_unit_root(&self) -> bool {
         let root = &self.special.values[self.special.root];
-        let is_unit = |range: &intervals::Range| matches!(range, intervals::Range::Float(x) if x.length == intervals::Length::One);
+        let is_unit = |range: &intervals::Range| match range {
+            intervals::Range::Float(x) => x.length == intervals::Length::One && !x.nan,
+            _ => false,
+        };
         matches!(self.options.stage.row().value, StageValue::Context(_))
             || root.ranges.as_ref().is_some_and(|ranges| ranges.iter().all(is_unit))
     }
