@@ -202,7 +202,7 @@ pub async fn tune(
     if let Some(setup) = exact.first() {
         let (mut planner, of) = (Planner::default(), (setup, library));
         for (look, node, tiers) in &mut nodes {
-            *tiers = distinct_tiers(&mut planner, of, &options.plan, (*look, node), tiers)?;
+            *tiers = distinct_tiers(&mut planner, of, &options.plan, (*look, &*node), tiers)?;
         }
         nodes.retain(|(_, _, tiers)| !tiers.is_empty());
     }
