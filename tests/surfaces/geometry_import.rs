@@ -34,7 +34,7 @@ fn wrong_files() {
     });
 }
 
-/// What shaders are promised of a mesh is refused or clamped here, whatever attribute it is of.
+/// Numbers of a mesh that shaders are promised are refused or clamped, whatever attribute has them.
 #[test]
 fn numbers_of_attributes_are_those_that_shaders_are_promised() {
     let obj = |v: &str, vt: &str, vn: &str| {

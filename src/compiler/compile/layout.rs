@@ -137,7 +137,7 @@ mod tests {
     use super::*;
     use crate::compile::push_numbers;
 
-    /// What a fragment reads from a uniform is finite, in f32 and in the reference's f64.
+    /// Numbers that fragments read from a uniform are finite, in f32 and in the reference's f64.
     #[test]
     fn uniforms_hold_finite_numbers_alone() {
         let value = Value::vec(&[f64::NAN, f64::INFINITY, -1e300, 0.25]);

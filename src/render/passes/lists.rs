@@ -22,7 +22,7 @@ pub(super) struct BoundLists<'p>(Vec<BoundList<'p>>);
 /// A draw list with its pipeline and bind group.
 struct BoundList<'p> {
     pipeline: LookPipeline,
-    /// Where depths are drawn before colors: the pipeline that draws them.
+    /// Pipeline of depths, where they are drawn before colors.
     depths: Option<LookPipeline>,
     group: wgpu::BindGroup,
     draws: &'p [Draw],
@@ -109,7 +109,7 @@ impl Renderer {
                     Ok(slot.insert(made).clone())
                 }
             };
-            let is_depth_first = stage == Stage::Draw && draw.depth_first;
+            let is_depth_first = stage.is_picture() && draw.depth_first;
             let (pipeline, depths) = if is_depth_first {
                 (pipeline_of(DepthUse::Before)?, Some(pipeline_of(DepthUse::Alone)?))
             } else {

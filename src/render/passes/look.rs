@@ -1,7 +1,6 @@
 //! Pass of the looks themselves, each object with its own.
 
-use crate::compile::Stage;
-use crate::frame::FramePlan;
+use crate::frame::{FramePlan, PassId};
 use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
@@ -42,7 +41,8 @@ impl Renderer {
         plan: &FramePlan,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let lists = self.bind_lists(plan, Stage::Draw, plan.samples)?;
+        let Some(stage) = PassId::LOOK.stage() else { return Ok(()) };
+        let lists = self.bind_lists(plan, stage, plan.samples)?;
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
             return Ok(());
         };

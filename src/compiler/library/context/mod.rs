@@ -212,7 +212,7 @@ mod tests {
         assert_eq!(kept, Value::vec(&[0.0, 2.0, -0.5]));
     }
 
-    /// What a pass or a function of the library clamps to is what its contexts promise.
+    /// Bounds to which passes and functions of the library clamp are those that contexts promise.
     #[test]
     fn shaders_clamp_to_what_is_promised() {
         for (file, name, promised) in [

@@ -20,8 +20,8 @@ use crate::library::Stage;
 /// stay in their order.
 const MOST_COMPARED: usize = 256;
 
-/// Share of the distance from the eye by which two boxes must lie apart so that depth, an f32, tells
-/// their surfaces apart: a thousandth of the far plane is the nearest plane, 2^-24 the step.
+/// Share of the distance from the eye by which two boxes must lie apart so that depth, an f32,
+/// tells their surfaces apart: a thousandth of the far plane is the nearest plane, 2^-24 the step.
 const APART: f64 = 1e-4;
 
 /// Place of an object: where its draws may be seen.

@@ -34,8 +34,8 @@ impl Planner {
         for VisibleObject { object, .. } in visible {
             for look in object.worn_looks() {
                 let look = &scene.setup.looks[look];
-                let exists = |id: &ObjectId| ids.contains(id);
-                found.extend(missing_objects(scene.setup, look, &object.id, &exists));
+                let is_there = |id: &ObjectId| ids.contains(id);
+                found.extend(missing_objects(scene.setup, look, &object.id, &is_there));
             }
         }
         each_once(found)
@@ -94,14 +94,14 @@ fn missing_objects(
     setup: &Setup,
     look: &SetupLook,
     own: &ObjectId,
-    exists: &dyn Fn(&ObjectId) -> bool,
+    is_there: &dyn Fn(&ObjectId) -> bool,
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (index, set) in look.look.direction_keys.iter().enumerate() {
         let KeyDirection::Drivers(drivers) = &set.by else { continue };
         for driver in drivers {
             let Driver::Near(id) = driver else { continue };
-            if *id != *own && exists(id) {
+            if *id != *own && is_there(id) {
                 continue;
             }
             let is_own = *id == *own;
