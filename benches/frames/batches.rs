@@ -56,7 +56,8 @@ fn look(number: usize) -> SetupLook {
     let shade = number as f64 / LOOKS as f64;
     let layer = |id: &str, offset: f64| {
         json!({"id": id, "kind": "light_layer", "values": {
-            "light": "key", "slope": 0.2, "offset": offset, "falloff": offset + 0.5, "cutoff": offset + 1.0,
+            "light": "key", "slope": 0.2, "offset": offset, "falloff": offset + 0.5,
+            "cutoff": offset + 1.0,
             "convex": [shade, 0.4, 0.6], "concave": [0.2, shade, 0.1], "blend": "add"}})
     };
     let text = json!({"name": format!("look {number}"), "lights": {"key": {"direction": [1, 2, 3]}},

@@ -46,6 +46,9 @@ pub(super) enum DepthUse {
     Before,
 }
 
+/// The vertex's position in modules of looks.
+const POSITION: &str = "@builtin(position) clip: vec4f";
+
 /// A fragment that draws nothing but its depth.
 const NO_COLOR: &str = "@fragment fn fs_main() -> @location(0) vec4f { return vec4f(); }";
 
@@ -171,7 +174,13 @@ fn make(
         let source = wgpu::ShaderSource::Wgsl(wgsl.into());
         device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source })
     };
-    let module = read(&shader.wgsl);
+    let module = match depth {
+        DepthUse::Together => read(&shader.wgsl),
+        // Both pipelines must find the same depths, to the bit.
+        DepthUse::Alone | DepthUse::Before => {
+            read(&shader.wgsl.replacen(POSITION, &format!("@invariant {POSITION}"), 1))
+        }
+    };
     let no_color = (depth == DepthUse::Alone).then(|| read(NO_COLOR));
     let layout = bind_group_layout(device, shader);
     let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {

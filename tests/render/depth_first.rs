@@ -1,5 +1,5 @@
-//! What makes painted surfaces quick: depths that are drawn before looks, of which the picture stays
-//! the same, and modules that hold one storage and, by default, taps.
+//! Quick painted surfaces: depths that are drawn before looks, of which the picture stays the same,
+//! and modules that hold one storage and, by default, taps.
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
@@ -96,6 +96,9 @@ fn depths_that_come_first_change_no_pixel() {
         for samples in [1, 4] {
             let first = plan(&setup(&path, storage, 1.0), samples);
             assert!(first.draws.iter().all(|draw| draw.depth_first), "{storage}");
+            // The renderer makes the position invariant by these words.
+            let position = "    @builtin(position) clip: vec4f,\n";
+            assert!(first.draws.iter().all(|draw| draw.look.wgsl.contains(position)));
             let mut together = first.clone();
             together.draws.iter_mut().for_each(|draw| draw.depth_first = false);
             let [first, together] = [pixels(&first), pixels(&together)];

@@ -13,4 +13,5 @@ mod hcbtf_bake;
 mod hcbtf_edits;
 mod hcbtf_examples;
 mod hcbtf_file;
+mod hcbtf_opaque;
 mod memory_files;

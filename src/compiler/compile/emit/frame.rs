@@ -270,13 +270,7 @@ impl Emitter<'_> {
             let (location, name) = (attribute.location(), attribute.name());
             let _ = writeln!(out, "    @location({location}) {name}: {},", attribute.wgsl_type());
         }
-        // Depths that are drawn before the colors must be the same to the bit.
-        let reads_hcbtf = self.needs.images.iter().any(|image| image.shape != ImageShape::Flat);
-        let invariant = if reads_hcbtf { "@invariant " } else { "" };
-        let _ = write!(
-            out,
-            "}}\n\nstruct Varyings {{\n    {invariant}@builtin(position) clip: vec4f,\n"
-        );
+        out.push_str("}\n\nstruct Varyings {\n    @builtin(position) clip: vec4f,\n");
         let varyings = self.varyings();
         let out = &mut self.out;
         for (location, SurfaceVarying { name, wgsl_type, .. }) in varyings.iter().enumerate() {
