@@ -312,9 +312,10 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
     let p = bounded_vec2(vec2f(uv.x, -uv.y));
     let place = (p - floor(p)) * vec2f(size) - 0.5;
     let low = vec2i(floor(place));
-    let first = select(low, low + size, low < vec2i(0));
+    // Not by selections: GLSL ES 3.00 has none of whole numbers.
+    let first = low + size * vec2i(low < vec2i(0));
     let next = first + 1;
-    return HcbtfTexels(vec4i(first, select(next, vec2i(0), next >= size)), place - floor(place),
+    return HcbtfTexels(vec4i(first, next * vec2i(next < size)), place - floor(place),
         origin, size.x, level, before);
 }
 

@@ -60,7 +60,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 const ProfileShape lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
 const ProfileShape shine_tone_shape = ProfileShape(0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u);
@@ -99,15 +98,10 @@ vec3 normalize_seen_balanced(vec3 v_2) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_3, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -137,8 +131,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+float transition_balanced(float kappa, float slope) {
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -185,8 +179,7 @@ Angle parametrization_screen_aligned_balanced(Light light_5, vec3 normal_2, mat3
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -243,15 +236,14 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
     return _e15;
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 normal_3 = surface_1.normal;
-    vec3 place_1 = surface_1.position_object;
+vec4 shade(Surface surface) {
+    vec3 place_1 = surface.position_object;
     vec3 from_the_face_s_middle = (place_1 - vec3(0.0, 0.52, -0.18));
     vec3 flattened = (from_the_face_s_middle * vec3(1.0, 0.35, 1.0));
-    vec3 _e15 = normalize_or(flattened, vec3(0.0));
+    vec3 _e14 = normalize_or(flattened, vec3(0.0));
     VectorParts high = VectorParts(place_1.x, place_1.y, place_1.z);
     float is_face = smoothstep(0.02, 0.16, high.y);
-    vec3 face_or_body = mix(normal_3, _e15, is_face);
+    vec3 face_or_body = mix(surface.normal, _e14, is_face);
     vec3 shading_direction = (face_or_body * inversesqrt(max(dot(face_or_body, face_or_body), 1e-30)));
     Light _e32 = u_look.key;
     Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
@@ -261,58 +253,50 @@ vec4 shade(Surface surface_1) {
     float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
     float in_shadow = (1.0 - _e54);
     vec4 _e64 = blend_shade_2_(_e51, vec4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    float _e67 = curvature_signed_balanced(surface_1.kappa, 0.55);
-    float inked_hollows_convexity = (0.5 + (0.5 * _e67));
-    vec4 _e79 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e82 = u_look.eye;
-    LitLayer _e84 = light_apply(_e82, _e79, 1.0);
-    vec4 inked_hollows_blend = clamp(vec4((_e64.xyz + (0.9 * ((_e64.xyz * (_e84.tone * _e84.color.xyz)) - _e64.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Light _e106 = u_look.key;
-    Angle _e109 = parametrization_specular_balanced(_e106, surface_1.normal, surface_1.view);
-    float _e112 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float rim_light_convexity = (0.5 + (0.5 * _e112));
-    float shine_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.05);
-    float _e124 = profile_balanced_3_(_e109, shine_warp, shine_tone_shape);
-    Light _e127 = u_look.key;
-    LitLayer _e130 = light_apply_2_(_e127, vec4(1.0), _e124);
-    vec4 _e135 = blend_alpha(inked_hollows_blend, _e130.color, _e130.tone, 0.85, true);
-    vec3 _e140 = u_look.back.direction;
-    vec3 _e149 = u_look.back.direction;
-    Angle rim_light_angle = Angle((0.5 * length((surface_1.normal - _e140))), (0.5 * length((surface_1.normal + _e149))));
-    float rim_light_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.15);
-    float _e162 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e165 = u_look.back;
-    LitLayer _e171 = light_apply_3_(_e165, vec4(1.0, 0.9647, 0.9176, 1.0), _e162);
-    vec4 _e176 = blend_alpha(_e135, _e171.color, _e171.tone, 0.9, true);
-    Light _e179 = u_look.eye;
-    mat3x3 _e183 = u_look.camera_from_world;
-    Angle _e184 = parametrization_screen_aligned_balanced(_e179, surface_1.normal, _e183);
-    float _e187 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e187));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.28);
-    float _e199 = profile_balanced_3_(_e184, contour_warp, contour_tone_shape);
-    Light _e202 = u_look.eye;
-    LitLayer _e205 = light_apply_2_(_e202, vec4(1.0), _e199);
-    vec4 output_ = clamp(vec4((_e176.xyz * (_e205.tone * _e205.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e67 = transition_balanced(surface.kappa, 0.55);
+    vec4 _e75 = curvature_color(_e67, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e78 = u_look.eye;
+    LitLayer _e80 = light_apply(_e78, _e75, 1.0);
+    vec4 inked_hollows_blend = clamp(vec4((_e64.xyz + (0.9 * ((_e64.xyz * (_e80.tone * _e80.color.xyz)) - _e64.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Light _e102 = u_look.key;
+    Angle _e105 = parametrization_specular_balanced(_e102, surface.normal, surface.view);
+    float _e108 = transition_balanced(surface.kappa, 0.2);
+    float shine_warp = (((2.0 * _e108) - 1.0) * 0.05);
+    float _e116 = profile_balanced_3_(_e105, shine_warp, shine_tone_shape);
+    Light _e119 = u_look.key;
+    LitLayer _e122 = light_apply_2_(_e119, vec4(1.0), _e116);
+    vec4 _e127 = blend_alpha(inked_hollows_blend, _e122.color, _e122.tone, 0.85, true);
+    vec3 _e132 = u_look.back.direction;
+    vec3 _e141 = u_look.back.direction;
+    Angle rim_light_angle = Angle((0.5 * length((surface.normal - _e132))), (0.5 * length((surface.normal + _e141))));
+    float rim_light_warp = (((2.0 * _e108) - 1.0) * 0.15);
+    float _e154 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e157 = u_look.back;
+    LitLayer _e163 = light_apply_3_(_e157, vec4(1.0, 0.9647, 0.9176, 1.0), _e154);
+    vec4 _e168 = blend_alpha(_e127, _e163.color, _e163.tone, 0.9, true);
+    Light _e171 = u_look.eye;
+    mat3x3 _e175 = u_look.camera_from_world;
+    Angle _e176 = parametrization_screen_aligned_balanced(_e171, surface.normal, _e175);
+    float _e179 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e179) - 1.0) * 0.28);
+    float _e187 = profile_balanced_3_(_e176, contour_warp, contour_tone_shape);
+    Light _e190 = u_look.eye;
+    LitLayer _e193 = light_apply_2_(_e190, vec4(1.0), _e187);
+    vec4 contour_blend = clamp(vec4((_e168.xyz * (_e193.tone * _e193.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return contour_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    vec4 _e32 = shade(_e31);
-    out_color = _e32;
+    vec3 normal_3 = (is_front ? _e3 : -(_e3));
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    vec4 _e27 = shade(surface_1);
+    out_color = _e27;
     return;
 }
 

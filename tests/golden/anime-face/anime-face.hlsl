@@ -101,7 +101,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape edge_of_the_shadow_shape = ConstructProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 static const ProfileShape lit_shape = ConstructProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
 static const ProfileShape shine_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u);
@@ -153,16 +152,10 @@ float3 normalize_seen_balanced(float3 v_2)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_3, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -205,9 +198,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -277,8 +270,7 @@ Angle parametrization_screen_aligned_balanced(Light light_5, float3 normal_2, fl
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -349,16 +341,15 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float3 normal_5 = surface_1.normal;
-    float3 place_1 = surface_1.position_object;
+    float3 place_1 = surface.position_object;
     float3 from_the_face_s_middle = (place_1 - float3(0.0, 0.52, -0.18));
     float3 flattened = (from_the_face_s_middle * float3(1.0, 0.35, 1.0));
-    const float3 _e15 = normalize_or(flattened, (0.0).xxx);
+    const float3 _e14 = normalize_or(flattened, (0.0).xxx);
     VectorParts high = ConstructVectorParts(place_1.x, place_1.y, place_1.z);
     float is_face = smoothstep(0.02, 0.16, high.y);
-    float3 face_or_body = lerp(normal_5, _e15, is_face);
+    float3 face_or_body = lerp(surface.normal, _e14, is_face);
     float3 shading_direction = (face_or_body * rsqrt(max(dot(face_or_body, face_or_body), 1e-30)));
     Light _e32 = look.key;
     const Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
@@ -368,58 +359,66 @@ float4 shade(Surface surface_1)
     const float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
     float in_shadow = (1.0 - _e54);
     const float4 _e64 = blend_shade_2_(_e51, float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    const float _e67 = curvature_signed_balanced(surface_1.kappa, 0.55);
-    float inked_hollows_convexity = (0.5 + (0.5 * _e67));
-    const float4 _e79 = curvature_color(inked_hollows_convexity, (1.0).xxxx, float4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e82 = look.eye;
-    const LitLayer _e84 = light_apply(_e82, _e79, 1.0);
-    float4 inked_hollows_blend = clamp(float4((_e64.xyz + (0.9 * ((_e64.xyz * (_e84.tone * _e84.color.xyz)) - _e64.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e106 = look.key;
-    const Angle _e109 = parametrization_specular_balanced(_e106, surface_1.normal, surface_1.view);
-    const float _e112 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float rim_light_convexity = (0.5 + (0.5 * _e112));
-    float shine_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.05);
-    const float _e124 = profile_balanced_3_(_e109, shine_warp, shine_tone_shape);
-    Light _e127 = look.key;
-    const LitLayer _e130 = light_apply_2_(_e127, (1.0).xxxx, _e124);
-    const float4 _e135 = blend_alpha(inked_hollows_blend, _e130.color, _e130.tone, 0.85, true);
-    float3 _e140 = look.back.direction;
-    float3 _e149 = look.back.direction;
-    Angle rim_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e140))), (0.5 * length((surface_1.normal + _e149))));
-    float rim_light_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.15);
-    const float _e162 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e165 = look.back;
-    const LitLayer _e171 = light_apply_3_(_e165, float4(1.0, 0.9647, 0.9176, 1.0), _e162);
-    const float4 _e176 = blend_alpha(_e135, _e171.color, _e171.tone, 0.9, true);
-    Light _e179 = look.eye;
-    float3x3 _e183 = look.camera_from_world;
-    const Angle _e184 = parametrization_screen_aligned_balanced(_e179, surface_1.normal, _e183);
-    const float _e187 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e187));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.28);
-    const float _e199 = profile_balanced_3_(_e184, contour_warp, contour_tone_shape);
-    Light _e202 = look.eye;
-    const LitLayer _e205 = light_apply_2_(_e202, (1.0).xxxx, _e199);
-    float4 output = clamp(float4((_e176.xyz * (_e205.tone * _e205.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e67 = transition_balanced(surface.kappa, 0.55);
+    const float4 _e75 = curvature_color(_e67, (1.0).xxxx, float4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e78 = look.eye;
+    const LitLayer _e80 = light_apply(_e78, _e75, 1.0);
+    float4 inked_hollows_blend = clamp(float4((_e64.xyz + (0.9 * ((_e64.xyz * (_e80.tone * _e80.color.xyz)) - _e64.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e102 = look.key;
+    const Angle _e105 = parametrization_specular_balanced(_e102, surface.normal, surface.view);
+    const float _e108 = transition_balanced(surface.kappa, 0.2);
+    float shine_warp = (((2.0 * _e108) - 1.0) * 0.05);
+    const float _e116 = profile_balanced_3_(_e105, shine_warp, shine_tone_shape);
+    Light _e119 = look.key;
+    const LitLayer _e122 = light_apply_2_(_e119, (1.0).xxxx, _e116);
+    const float4 _e127 = blend_alpha(inked_hollows_blend, _e122.color, _e122.tone, 0.85, true);
+    float3 _e132 = look.back.direction;
+    float3 _e141 = look.back.direction;
+    Angle rim_light_angle = ConstructAngle((0.5 * length((surface.normal - _e132))), (0.5 * length((surface.normal + _e141))));
+    float rim_light_warp = (((2.0 * _e108) - 1.0) * 0.15);
+    const float _e154 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e157 = look.back;
+    const LitLayer _e163 = light_apply_3_(_e157, float4(1.0, 0.9647, 0.9176, 1.0), _e154);
+    const float4 _e168 = blend_alpha(_e127, _e163.color, _e163.tone, 0.9, true);
+    Light _e171 = look.eye;
+    float3x3 _e175 = look.camera_from_world;
+    const Angle _e176 = parametrization_screen_aligned_balanced(_e171, surface.normal, _e175);
+    const float _e179 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e179) - 1.0) * 0.28);
+    const float _e187 = profile_balanced_3_(_e176, contour_warp, contour_tone_shape);
+    Light _e190 = look.eye;
+    const LitLayer _e193 = light_apply_2_(_e190, (1.0).xxxx, _e187);
+    float4 contour_blend = clamp(float4((_e168.xyz * (_e193.tone * _e193.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return contour_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -430,18 +429,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    const float4 _e32 = shade(_e31);
-    return _e32;
+    float3 normal_5 = (is_front ? _e3 : -(_e3));
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    const float4 _e27 = shade(surface_1);
+    return _e27;
 }

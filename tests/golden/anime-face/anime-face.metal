@@ -76,7 +76,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape edge_of_the_shadow_shape = ProfileShape {0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u};
 constant ProfileShape lit_shape = ProfileShape {0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u};
 constant ProfileShape shine_tone_shape = ProfileShape {0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u};
@@ -114,17 +113,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_3 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_3 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_3, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -166,11 +158,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
 Composite blend_alpha(
@@ -261,8 +253,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -344,17 +335,16 @@ float profile_balanced_3_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    metal::float3 normal_3 = surface_1.normal;
-    metal::float3 place_1 = surface_1.position_object;
+    metal::float3 place_1 = surface.position_object;
     metal::float3 from_the_face_s_middle = place_1 - metal::float3(0.0, 0.52, -0.18);
     metal::float3 flattened = from_the_face_s_middle * metal::float3(1.0, 0.35, 1.0);
-    metal::float3 _e15 = normalize_or(flattened, metal::float3(0.0));
-    VectorParts high = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
+    metal::float3 _e14 = normalize_or(flattened, metal::float3(0.0));
+    VectorParts high = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
     float is_face = metal::smoothstep(0.02, 0.16, high.y);
-    metal::float3 face_or_body = metal::mix(normal_3, _e15, is_face);
+    metal::float3 face_or_body = metal::mix(surface.normal, _e14, is_face);
     metal::float3 shading_direction = face_or_body * metal::rsqrt(metal::max(metal::dot(face_or_body, face_or_body), 0.000000000000000000000000000001));
     Light _e32 = look.key;
     Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
@@ -364,40 +354,37 @@ metal::float4 shade(
     float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
     float in_shadow = 1.0 - _e54;
     Composite _e64 = blend_shade_2_(_e51, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    float _e67 = curvature_signed_balanced(surface_1.kappa, 0.55);
-    float inked_hollows_convexity = 0.5 + (0.5 * _e67);
-    Color _e79 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e82 = look.eye;
-    LitLayer _e84 = light_apply(_e82, _e79, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e64.xyz + (0.9 * ((_e64.xyz * (_e84.tone * _e84.color.xyz)) - _e64.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e106 = look.key;
-    Angle _e109 = parametrization_specular_balanced(_e106, surface_1.normal, surface_1.view);
-    float _e112 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float rim_light_convexity = 0.5 + (0.5 * _e112);
-    float shine_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.05;
-    float _e124 = profile_balanced_3_(_e109, shine_warp, shine_tone_shape);
-    Light _e127 = look.key;
-    LitLayer _e130 = light_apply_2_(_e127, metal::float4(1.0), _e124);
-    Composite _e135 = blend_alpha(inked_hollows_blend, _e130.color, _e130.tone, 0.85, true);
-    metal::float3 _e140 = look.back.direction;
-    metal::float3 _e149 = look.back.direction;
-    Angle rim_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e140), 0.5 * metal::length(surface_1.normal + _e149)};
-    float rim_light_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.15;
-    float _e162 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e165 = look.back;
-    LitLayer _e171 = light_apply_3_(_e165, metal::float4(1.0, 0.9647, 0.9176, 1.0), _e162);
-    Composite _e176 = blend_alpha(_e135, _e171.color, _e171.tone, 0.9, true);
-    Light _e179 = look.eye;
-    metal::float3x3 _e183 = look.camera_from_world;
-    Angle _e184 = parametrization_screen_aligned_balanced(_e179, surface_1.normal, _e183);
-    float _e187 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = 0.5 + (0.5 * _e187);
-    float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.28;
-    float _e199 = profile_balanced_3_(_e184, contour_warp, contour_tone_shape);
-    Light _e202 = look.eye;
-    LitLayer _e205 = light_apply_2_(_e202, metal::float4(1.0), _e199);
-    metal::float4 output = metal::clamp(metal::float4(_e176.xyz * (_e205.tone * _e205.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e67 = transition_balanced(surface.kappa, 0.55);
+    Color _e75 = curvature_color(_e67, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e78 = look.eye;
+    LitLayer _e80 = light_apply(_e78, _e75, 1.0);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e64.xyz + (0.9 * ((_e64.xyz * (_e80.tone * _e80.color.xyz)) - _e64.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e102 = look.key;
+    Angle _e105 = parametrization_specular_balanced(_e102, surface.normal, surface.view);
+    float _e108 = transition_balanced(surface.kappa, 0.2);
+    float shine_warp = ((2.0 * _e108) - 1.0) * 0.05;
+    float _e116 = profile_balanced_3_(_e105, shine_warp, shine_tone_shape);
+    Light _e119 = look.key;
+    LitLayer _e122 = light_apply_2_(_e119, metal::float4(1.0), _e116);
+    Composite _e127 = blend_alpha(inked_hollows_blend, _e122.color, _e122.tone, 0.85, true);
+    metal::float3 _e132 = look.back.direction;
+    metal::float3 _e141 = look.back.direction;
+    Angle rim_light_angle = Angle {0.5 * metal::length(surface.normal - _e132), 0.5 * metal::length(surface.normal + _e141)};
+    float rim_light_warp = ((2.0 * _e108) - 1.0) * 0.15;
+    float _e154 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e157 = look.back;
+    LitLayer _e163 = light_apply_3_(_e157, metal::float4(1.0, 0.9647, 0.9176, 1.0), _e154);
+    Composite _e168 = blend_alpha(_e127, _e163.color, _e163.tone, 0.9, true);
+    Light _e171 = look.eye;
+    metal::float3x3 _e175 = look.camera_from_world;
+    Angle _e176 = parametrization_screen_aligned_balanced(_e171, surface.normal, _e175);
+    float _e179 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = ((2.0 * _e179) - 1.0) * 0.28;
+    float _e187 = profile_balanced_3_(_e176, contour_warp, contour_tone_shape);
+    Light _e190 = look.eye;
+    LitLayer _e193 = light_apply_2_(_e190, metal::float4(1.0), _e187);
+    metal::float4 contour_blend = metal::clamp(metal::float4(_e168.xyz * (_e193.tone * _e193.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return contour_blend;
 }
 
 struct vs_mainInput {
@@ -416,17 +403,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -452,17 +433,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_4;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    metal::float4 _e29 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    metal::float4 _e32 = shade(_e31, look);
-    return fs_mainOutput { _e32 };
+    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x};
+    metal::float4 _e27 = shade(surface_1, look);
+    return fs_mainOutput { _e27 };
 }

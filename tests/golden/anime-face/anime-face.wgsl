@@ -67,7 +67,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
@@ -78,8 +77,8 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     }
     let scaled = v * (1.0 / largest);
     let square = dot(scaled, scaled);
-    return select(scaled * (1.0 / sqrt(square)), otherwise, (bitcast<u32>(square)
-        & 0x7f800000u) == 0x7f800000u);
+    return select(scaled * (1.0 / sqrt(square)), otherwise,
+        (bitcast<u32>(square) & 0x7f800000u) == 0x7f800000u);
 }
 
 /// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
@@ -105,14 +104,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -151,28 +142,27 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return min(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
-        - below.xyz), 1.0), vec4f(1.0));
+    return min(vec4f(below.xyz + opacity
+        * (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0), vec4f(1.0));
 }
 
 fn blend_shade_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -247,8 +237,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -323,45 +312,50 @@ const contour_tone_shape = ProfileShape(0.819648, 0.57286745, 0.0, 1.0, 1.22, 0.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let normal = surface.normal;
     let place = surface.position_object;
     let from_the_face_s_middle = place - vec3f(0.0, 0.52, -0.18);
     let flattened = from_the_face_s_middle * vec3f(1.0, 0.35, 1.0);
     let face_direction = normalize_or(flattened, vec3f(0.0));
     let high = VectorParts(place.x, place.y, place.z);
     let is_face = smoothstep(0.02, 0.16, high.y);
-    let face_or_body = mix(normal, face_direction, is_face);
+    let face_or_body = mix(surface.normal, face_direction, is_face);
     let shading_direction = face_or_body * inverseSqrt(max(dot(face_or_body, face_or_body), 1e-30));
     let from_the_light = parametrization_diffuse_balanced(look.key, shading_direction);
     let edge_of_the_shadow = profile_balanced(from_the_light, 0.0, edge_of_the_shadow_shape);
     let soft_dark = 1.0 - edge_of_the_shadow;
-    let warm_edge = blend_shade(vec4f(0.9843, 0.8902, 0.8118, 1.0), vec4f(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    let warm_edge = blend_shade(vec4f(0.9843, 0.8902, 0.8118, 1.0),
+        vec4f(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
     let lit = profile_balanced_2(from_the_light, 0.0, lit_shape);
     let in_shadow = 1.0 - lit;
     let shadow = blend_shade_2(warm_edge, vec4f(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    let inked_hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.55);
-    let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0), vec4f(0.2902, 0.1412, 0.251, 1.0));
+    let inked_hollows_convexity = transition_balanced(surface.kappa, 0.55);
+    let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0),
+        vec4f(0.2902, 0.1412, 0.251, 1.0));
     let inked_hollows_lit = light_apply(look.eye, inked_hollows_color, 1.0);
-    let inked_hollows_blend = clamp(vec4f(shadow.xyz + 0.9 * (shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let inked_hollows_blend = clamp(vec4f(shadow.xyz + 0.9
+        * (shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
     let shine_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    let rim_light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
+    let rim_light_convexity = transition_balanced(surface.kappa, 0.2);
     let shine_warp = (2.0 * rim_light_convexity - 1.0) * 0.05;
     let shine_tone = profile_balanced_3(shine_angle, shine_warp, shine_tone_shape);
     let shine_lit = light_apply_2(look.key, vec4f(1.0), shine_tone);
     let shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85, true);
-    let rim_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let rim_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let rim_light_warp = (2.0 * rim_light_convexity - 1.0) * 0.15;
     let rim_light_tone = profile_balanced_3(rim_light_angle, rim_light_warp, rim_light_tone_shape);
     let rim_light_lit = light_apply_3(look.back, vec4f(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
-    let rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9, true);
-    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    let contour_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.12);
-    let contour_warp = (2.0 * contour_convexity - 1.0) * 0.28;
+    let rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9,
+        true);
+    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.28;
     let contour_tone = profile_balanced_3(contour_angle, contour_warp, contour_tone_shape);
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = contour_blend;
-    return output;
+    let contour_blend = clamp(vec4f(rim_light_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return contour_blend;
 }
 
 struct Vertex {
@@ -379,23 +373,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

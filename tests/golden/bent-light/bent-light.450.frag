@@ -57,7 +57,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
 const ProfileShape brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
@@ -79,11 +78,6 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
 
 vec3 normalize_seen_balanced(vec3 v_1) {
     return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -110,8 +104,8 @@ float bounded(float x) {
 
 float eased(float x_1, float low, float high) {
     float _e3 = bounded(x_1);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -130,8 +124,8 @@ float footprint_of_vec3_(vec3 v_2) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y_1 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
-    return DirectionParts(direction, x_axis, y_1, vec2(dot(direction, x_axis), dot(direction, y_1)));
+    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -160,8 +154,7 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -305,8 +298,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = (_e67 + 1);
+            int _e66 = i_1;
+            i_1 = (_e66 + 1);
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -333,12 +326,12 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, int seed_4, float w_4) {
@@ -351,8 +344,8 @@ float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, 
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            int _e67 = i_2;
-            i_2 = (_e67 + 1);
+            int _e66 = i_2;
+            i_2 = (_e66 + 1);
         }
         loop_init_2 = false;
         int _e17 = i_2;
@@ -379,19 +372,19 @@ float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, 
         float _e59 = strength_1;
         total_1 = (_e58 + _e59);
         float _e61 = strength_1;
-        strength_1 = (_e61 * 0.5);
-        float _e64 = frequency_1;
-        frequency_1 = (_e64 * 2.0);
+        strength_1 = (_e61 * roughness_1);
+        float _e63 = frequency_1;
+        frequency_1 = (_e63 * 2.0);
     }
-    float _e70 = sum_2;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_2;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((3.0 * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
@@ -410,8 +403,8 @@ float noise_perlin_2_(vec3 position_1, float scale_1, int octaves_3, float rough
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 place_3 = surface_1.position_object;
+vec4 shade(Surface surface) {
+    vec3 place_3 = surface.position_object;
     float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
     float across_1 = mix(-0.22, 0.22, (_e6 - 0.0));
     float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
@@ -425,12 +418,12 @@ vec4 shade(Surface surface_1) {
     vec3 _e41 = u_look.key.color;
     float _e45 = u_look.key.intensity;
     Light bent_light = Light(_e33, _e37, _e41, _e45);
-    Angle turned_from_it = Angle((0.5 * length((surface_1.normal - bent_light.direction))), (0.5 * length((surface_1.normal + bent_light.direction))));
+    Angle turned_from_it = Angle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
     float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     vec4 _e75 = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
     float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     vec4 brightest_light = min(vec4((_e75.xyz + (_e78 * (vec3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), vec4(1.0));
-    vec3 view_2_ = surface_1.view;
+    vec3 view_2_ = surface.view;
     AxesAround _e98 = axes(view_2_, vec3(0.0, 1.0, 0.0));
     DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
     vec3 _e105 = direction_moved(_e101, vec2(-0.32, 0.36));
@@ -438,29 +431,25 @@ vec4 shade(Surface surface_1) {
     vec3 _e113 = u_look.eye.color;
     float _e117 = u_look.eye.intensity;
     Light locked_to_the_eye = Light(_e105, _e109, _e113, _e117);
-    Angle turned_from_the_eye = Angle((0.5 * length((surface_1.normal - locked_to_the_eye.direction))), (0.5 * length((surface_1.normal + locked_to_the_eye.direction))));
+    Angle turned_from_the_eye = Angle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
     float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     vec4 window_on_top = clamp(vec4((brightest_light.xyz + (_e134 * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
     vec2 _e156 = u_look.viewport;
-    float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
-    vec4 output_ = clamp(vec4((window_on_top.xyz + (_e157 * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
+    vec4 outline = clamp(vec4((window_on_top.xyz + (_e157 * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return outline;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    vec4 _e24 = shade(_e23);
-    out_color = _e24;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    vec4 _e20 = shade(surface_1);
+    out_color = _e20;
     return;
 }
 

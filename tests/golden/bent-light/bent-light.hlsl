@@ -112,7 +112,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const uint NOISE_PERLIN = 1u;
 static const ProfileShape lit_shape = ConstructProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
 static const ProfileShape brightest_shape = ConstructProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
@@ -146,12 +145,6 @@ float3 normalize_moderate(float3 v, float3 otherwise)
 float3 normalize_seen_balanced(float3 v_1)
 {
     return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -190,8 +183,8 @@ float bounded(float x)
 float eased(float x_1, float low, float high)
 {
     const float _e3 = bounded(x_1);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -222,8 +215,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y_1 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_1, float2(dot(direction, x_axis), dot(direction, y_1)));
+    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
     return directionparts;
 }
 
@@ -266,8 +259,7 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -439,8 +431,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_1;
+            i_1 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -467,12 +459,12 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1, int seed_4, float w_4)
@@ -490,8 +482,8 @@ float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e67 = i_2;
-            i_2 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_2;
+            i_2 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_2 = false;
         int _e17 = i_2;
@@ -518,20 +510,20 @@ float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1
         float _e59 = strength_1;
         total_1 = (_e58 + _e59);
         float _e61 = strength_1;
-        strength_1 = (_e61 * 0.5);
-        float _e64 = frequency_1;
-        frequency_1 = (_e64 * 2.0);
+        strength_1 = (_e61 * roughness_1);
+        float _e63 = frequency_1;
+        frequency_1 = (_e63 * 2.0);
     }
-    float _e70 = sum_2;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_2;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((3.0 * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    const float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
@@ -561,9 +553,9 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
     return ret;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float3 place_3 = surface_1.position_object;
+    float3 place_3 = surface.position_object;
     const float _e6 = noise_perlin(place_3, 3.5, int(2), 0.5, int(1));
     float across_1 = lerp(-0.22, 0.22, (_e6 - 0.0));
     const float _e16 = noise_perlin_2_(place_3, 3.5, int(2), 0.5, int(5));
@@ -577,12 +569,12 @@ float4 shade(Surface surface_1)
     float3 _e41 = look.key.color;
     float _e45 = look.key.intensity;
     Light bent_light = ConstructLight(_e33, _e37, _e41, _e45);
-    Angle turned_from_it = ConstructAngle((0.5 * length((surface_1.normal - bent_light.direction))), (0.5 * length((surface_1.normal + bent_light.direction))));
+    Angle turned_from_it = ConstructAngle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
     const float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     const float4 _e75 = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0), float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
     const float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     float4 brightest_light = min(float4((_e75.xyz + (_e78 * (float3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), (1.0).xxxx);
-    float3 view_2_ = surface_1.view;
+    float3 view_2_ = surface.view;
     const AxesAround _e98 = axes(view_2_, float3(0.0, 1.0, 0.0));
     const DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
     const float3 _e105 = direction_moved(_e101, float2(-0.32, 0.36));
@@ -590,47 +582,52 @@ float4 shade(Surface surface_1)
     float3 _e113 = look.eye.color;
     float _e117 = look.eye.intensity;
     Light locked_to_the_eye = ConstructLight(_e105, _e109, _e113, _e117);
-    Angle turned_from_the_eye = ConstructAngle((0.5 * length((surface_1.normal - locked_to_the_eye.direction))), (0.5 * length((surface_1.normal + locked_to_the_eye.direction))));
+    Angle turned_from_the_eye = ConstructAngle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
     const float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     float4 window_on_top = clamp(float4((brightest_light.xyz + (_e134 * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float2 _e156 = look.viewport;
-    const float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
-    float4 output = clamp(float4((window_on_top.xyz + (_e157 * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
+    float4 outline = clamp(float4((window_on_top.xyz + (_e157 * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return outline;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    const float4 _e24 = shade(_e23);
-    return _e24;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    const float4 _e20 = shade(surface_1);
+    return _e20;
 }

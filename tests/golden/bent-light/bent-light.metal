@@ -79,7 +79,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant uint NOISE_PERLIN = 1u;
 constant ProfileShape lit_shape = ProfileShape {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u};
 constant ProfileShape brightest_shape = ProfileShape {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
@@ -97,13 +96,6 @@ metal::float3 normalize_seen_balanced(
     metal::float3 v_1
 ) {
     return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -141,8 +133,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_1);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_2 = metal::clamp(_e7, 0.0, 1.0);
     return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
@@ -169,8 +161,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y_1 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y_1, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_1))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
 metal::float3 direction_moved(
@@ -217,8 +209,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -416,8 +407,8 @@ float fractal_noise(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -444,12 +435,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_1;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_1;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float fractal_noise_2_(
@@ -472,8 +463,8 @@ float fractal_noise_2_(
         if (metal::all(loop_bound_2 == uint2(0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e67 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_2;
+            i_2 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_2 = false;
         int _e17 = i_2;
@@ -500,12 +491,12 @@ float fractal_noise_2_(
         float _e59 = strength_1;
         total_1 = _e58 + _e59;
         float _e61 = strength_1;
-        strength_1 = _e61 * 0.5;
-        float _e64 = frequency_1;
-        frequency_1 = _e64 * 2.0;
+        strength_1 = _e61 * roughness_1;
+        float _e63 = frequency_1;
+        frequency_1 = _e63 * 2.0;
     }
-    float _e70 = sum_2;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_2;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float outer_contour(
@@ -515,9 +506,9 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (3.0 * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
-    float _e16 = footprint_of(facing);
-    float distance = facing / metal::max(2.0 * _e16, 0.000001);
+    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float _e15 = footprint_of(facing);
+    float distance = facing / metal::max(2.0 * _e15, 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
     return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
@@ -549,10 +540,10 @@ float noise_perlin_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    metal::float3 place_3 = surface_1.position_object;
+    metal::float3 place_3 = surface.position_object;
     float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
     float across_1 = metal::mix(-0.22, 0.22, _e6 - 0.0);
     float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
@@ -566,12 +557,12 @@ metal::float4 shade(
     metal::float3 _e41 = look.key.color;
     float _e45 = look.key.intensity;
     Light bent_light = Light {_e33, _e37, _e41, _e45};
-    Angle turned_from_it = Angle {0.5 * metal::length(surface_1.normal - bent_light.direction), 0.5 * metal::length(surface_1.normal + bent_light.direction)};
+    Angle turned_from_it = Angle {0.5 * metal::length(surface.normal - bent_light.direction), 0.5 * metal::length(surface.normal + bent_light.direction)};
     float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
     Composite _e75 = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0), metal::float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
     float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
     metal::float4 brightest_light = metal::min(metal::float4(_e75.xyz + (_e78 * (metal::float3(0.6627, 0.8392, 0.7569) - _e75.xyz)), 1.0), metal::float4(1.0));
-    metal::float3 view_2_ = surface_1.view;
+    metal::float3 view_2_ = surface.view;
     AxesAround _e98 = axes(view_2_, metal::float3(0.0, 1.0, 0.0));
     DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
     metal::float3 _e105 = direction_moved(_e101, metal::float2(-0.32, 0.36));
@@ -579,13 +570,13 @@ metal::float4 shade(
     metal::float3 _e113 = look.eye.color;
     float _e117 = look.eye.intensity;
     Light locked_to_the_eye = Light {_e105, _e109, _e113, _e117};
-    Angle turned_from_the_eye = Angle {0.5 * metal::length(surface_1.normal - locked_to_the_eye.direction), 0.5 * metal::length(surface_1.normal + locked_to_the_eye.direction)};
+    Angle turned_from_the_eye = Angle {0.5 * metal::length(surface.normal - locked_to_the_eye.direction), 0.5 * metal::length(surface.normal + locked_to_the_eye.direction)};
     float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
     metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + (_e134 * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float2 _e156 = look.viewport;
-    float _e157 = outer_contour(3.0, surface_1.normal, surface_1.view, _e156);
-    metal::float4 output = metal::clamp(metal::float4(window_on_top.xyz + (_e157 * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
+    metal::float4 outline = metal::clamp(metal::float4(window_on_top.xyz + (_e157 * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return outline;
 }
 
 struct vs_mainInput {
@@ -604,17 +595,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -635,15 +620,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    Surface _e23 = surface;
-    metal::float4 _e24 = shade(_e23, look);
-    return fs_mainOutput { _e24 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object};
+    metal::float4 _e20 = shade(surface_1, look);
+    return fs_mainOutput { _e20 };
 }

@@ -67,7 +67,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -79,14 +78,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -119,7 +110,7 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -216,8 +207,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -343,7 +333,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -375,7 +365,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -390,7 +380,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normal, view), 0.0, 1.0);
-    let pixels = 3.0 * clamp(viewport.y, 1.0, 1e5) / 1000.0;
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of(facing), 1e-6);
     let near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
@@ -417,24 +407,34 @@ fn shade(surface: Surface) -> vec4f {
     let across = mix(-0.22, 0.22, waver_across - 0.0);
     let waver_upright = noise_perlin_2(place, 3.5, 2i, 0.5, 5i);
     let upright = mix(-0.22, 0.22, waver_upright - 0.0);
-    let bend = direction_moved(direction_within(look.parts_direction, look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis), vec2f(across, upright));
+    let bend = direction_moved(direction_within(look.parts_direction, look.axes_of_the_light_x_axis,
+        look.axes_of_the_light_y_axis), vec2f(across, upright));
     let bent_light = Light(bend, look.key.own_direction, look.key.color, look.key.intensity);
-    let turned_from_it = Angle(0.5 * length(surface.normal - bent_light.direction), 0.5 * length(surface.normal + bent_light.direction));
+    let turned_from_it = Angle(0.5 * length(surface.normal - bent_light.direction), 0.5
+        * length(surface.normal + bent_light.direction));
     let lit = profile_balanced(turned_from_it, 0.0, lit_shape);
-    let light = blend_alpha(vec4f(0.1529, 0.251, 0.3765, 1.0), vec4f(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
+    let light = blend_alpha(vec4f(0.1529, 0.251, 0.3765, 1.0), vec4f(0.3098, 0.5608, 0.6118, 1.0),
+        lit, 1.0, true);
     let brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    let brightest_light = min(vec4f(light.xyz + brightest * (vec4f(0.6627, 0.8392, 0.7569, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
+    let brightest_light = min(vec4f(light.xyz + brightest
+        * (vec4f(0.6627, 0.8392, 0.7569, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
     let view_2 = surface.view;
     let axes_of_the_view = axes(view_2, vec3f(0.0, 1.0, 0.0));
-    let up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), vec2f(-0.32, 0.36));
-    let locked_to_the_eye = Light(up_and_left_of_the_eye, look.eye.own_direction, look.eye.color, look.eye.intensity);
-    let turned_from_the_eye = Angle(0.5 * length(surface.normal - locked_to_the_eye.direction), 0.5 * length(surface.normal + locked_to_the_eye.direction));
+    let up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis,
+        axes_of_the_view.y_axis), vec2f(-0.32, 0.36));
+    let locked_to_the_eye = Light(up_and_left_of_the_eye, look.eye.own_direction, look.eye.color,
+        look.eye.intensity);
+    let turned_from_the_eye = Angle(0.5 * length(surface.normal - locked_to_the_eye.direction),
+        0.5 * length(surface.normal + locked_to_the_eye.direction));
     let window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
-    let window_on_top = clamp(vec4f(brightest_light.xyz + window * (vec4f(0.9922, 0.9647, 0.8902, 1.0).xyz - brightest_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let window_on_top = clamp(vec4f(brightest_light.xyz + window
+        * (vec4f(0.9922, 0.9647, 0.8902, 1.0).xyz - brightest_light.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
     let line = outer_contour(3.0, surface.normal, surface.view, look.viewport);
-    let outline = clamp(vec4f(window_on_top.xyz + line * (vec4f(0.0784, 0.1294, 0.2275, 1.0).xyz - window_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = outline;
-    return output;
+    let outline = clamp(vec4f(window_on_top.xyz + line
+        * (vec4f(0.0784, 0.1294, 0.2275, 1.0).xyz - window_on_top.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    return outline;
 }
 
 struct Vertex {
@@ -452,22 +452,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object);
+    return shade(surface);
 }

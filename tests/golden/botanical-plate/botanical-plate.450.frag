@@ -70,6 +70,7 @@ struct Varyings {
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 const Ramp leaf_to_bloom = Ramp(vec4[16](vec4(0.4353, 0.5412, 0.2353, 1.0), vec4(0.6235, 0.7098, 0.3961, 1.0), vec4(0.9098, 0.7255, 0.6275, 1.0), vec4(0.8471, 0.3765, 0.4784, 1.0), vec4(0.6588, 0.2275, 0.4, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.6, 0.85), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
 
@@ -124,28 +125,20 @@ float bounded(float x_2) {
     return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    uvec2 bits_2 = floatBitsToUint(v_3);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_2 = floatBitsToUint(v_3);
+    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
+    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_3 = floatBitsToUint(v_4);
-    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec3(2139095040u)));
-}
-
-vec4 bounded_vec4_(vec4 v_5) {
-    uvec4 bits_4 = floatBitsToUint(v_5);
-    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
-    vec4 largest_3 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_2 = mix(vec4(0.0), largest_3, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_5, lessThan(magnitude_3, uvec4(2139095040u)));
+vec4 bounded_vec4_(vec4 v_4) {
+    uvec4 bits_3 = floatBitsToUint(v_4);
+    uvec4 magnitude_2 = (bits_3 & uvec4(2147483647u));
+    vec4 largest_2 = uintBitsToFloat(((bits_3 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers_1 = mix(vec4(0.0), largest_2, equal(magnitude_2, uvec4(2139095040u)));
+    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -170,15 +163,15 @@ vec4 mixed_vec4_(vec4 a_2, vec4 b_2, float t_1) {
 
 float eased(float x_3, float low, float high) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_4 = clamp(_e7, 0.0, 1.0);
     return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
 }
 
 float eased_2_(float x_4, float low_1, float high_1) {
     float _e3 = bounded(x_4);
-    float _e8 = bounded(((_e3 - 0.75) / 0.75));
-    float t_5 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low_1) / 0.75));
+    float t_5 = clamp(_e7, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
@@ -194,9 +187,9 @@ float footprint_of(float x_6) {
     return sqrt(dot(d_3, d_3));
 }
 
-float footprint_of_vec3_(vec3 v_6) {
-    vec3 dx = dFdx(v_6);
-    vec3 dy = dFdy(v_6);
+float footprint_of_vec3_(vec3 v_5) {
+    vec3 dx = dFdx(v_5);
+    vec3 dy = dFdy(v_5);
     float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -315,41 +308,37 @@ vec4 mix_colors_multiply(vec4 a_4, vec4 b_4, float factor) {
     return vec4(_e7, 1.0);
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_7 = uvec3(0u);
-    v_7 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_7;
-    uvec3 _e32 = v_7;
-    v_7 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_7;
+    uvec3 v_6 = uvec3(0u);
+    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_6;
+    uvec3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_6;
     return _e61;
 }
 
@@ -414,8 +403,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            int _e67 = i_1;
-            i_1 = (_e67 + 1);
+            int _e66 = i_1;
+            i_1 = (_e66 + 1);
         }
         loop_init_2 = false;
         int _e17 = i_1;
@@ -442,28 +431,25 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.75), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.75), 1.0);
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    vec3 _e12 = bounded_vec3_(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 _e2 = bounded_vec2_(pixel);
-    vec2 from_middle = (_e2 - (0.5 * viewport));
+    vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
@@ -486,19 +472,15 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
     vec3 x_8 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 _e17 = bounded_vec2_(place);
-    vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     vec3 stretch_4 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    vec2 _e37 = bounded_vec2_(turned);
-    return StretchedPlace(_e37, stretch_4);
+    return StretchedPlace(turned, stretch_4);
 }
 
 SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_3 = (is_pixel ? (230.0 / max(viewport_1.y, 1.0)) : 230.0);
-    vec2 _e17 = bounded_vec2_(place_1);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_3));
-    vec2 p_2 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    float scale_3 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    vec2 p_2 = clamp((place_1 * scale_3), vec2(-4194304.0), vec2(4194304.0));
     return SpacedPlace(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
@@ -587,20 +569,18 @@ float stippled(SpacedPlace at_1, float ink_1, Dots style_1) {
 }
 
 MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
-    float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_2);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_5 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
+    vec2 place_5 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace _e26 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e26.place, _e26.stretch);
 }
 
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_3) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((2.0 * clamp(viewport_3.y, 1.0, 100000.0)) / 1000.0);
-    float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport_3.y, 1.0, 100000.0)) / 1000.0);
+    float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
@@ -612,70 +592,60 @@ float noise_perlin(vec3 position, float scale_2, int octaves_1, float roughness_
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 where_2_ = surface_1.position_object;
+vec4 shade(Surface surface) {
+    vec3 where_2_ = surface.position_object;
     VectorParts parts = VectorParts(where_2_.x, where_2_.y, where_2_.z);
-    float _e11 = noise_perlin(surface_1.position_object, 4.0, 3, 0.5, 0);
-    float m = mix(-0.35, 0.35, (_e11 - 0.0));
-    float height_mottled = (parts.y + m);
-    float share = clamp(((height_mottled - -0.9) / 1.85), 0.0, 1.0);
+    float _e11 = noise_perlin(surface.position_object, 4.0, 3, 0.5, 0);
+    float height_mottled = (parts.y + mix(-0.35, 0.35, (_e11 - 0.0)));
+    float share = clamp(((height_mottled + 0.9) / 1.85), 0.0, 1.0);
     float _e27 = footprint_of(share);
     vec4 _e28 = ramp_at(leaf_to_bloom, share, _e27);
     vec3 _e33 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e33) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e33) + 0.3) / 1.3), 0.0);
     float tone = mix(0.02, 1.0, min(((shade_2_ - 0.0) / 0.8), 1.0));
     float short_of_the_light = mix(0.85, 0.12, clamp(((tone - 0.55) / 0.4), 0.0, 1.0));
     vec4 _e65 = mix_colors_multiply(vec4(0.9725, 0.949, 0.8863, 1.0), _e28, short_of_the_light);
-    float facing_1 = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
+    float facing_1 = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     float turning_away = mix(0.2, 1.0, clamp(((facing_1 - 0.05) / 0.55), 0.0, 1.0));
     float engraved_tone = (tone * turning_away);
     vec2 _e88 = u_look.viewport;
-    MarkPlace _e89 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e88);
+    MarkPlace _e89 = mark_place_object(0.0, surface.anchor, surface.pixel, _e88);
     vec2 _e94 = u_look.viewport;
     SpacedPlace _e96 = spaced(_e89.place, _e89.stretch, _e94, 230.0);
     float _e105 = stippled(_e96, (1.0 - min(engraved_tone, 1.0)), Dots(0.72, 0.8, 0u));
     vec2 _e111 = u_look.viewport;
-    float _e112 = outer_contour(2.0, surface_1.normal, surface_1.view, _e111);
-    float i1_ = max(_e105, _e112);
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e127 = curvature_signed_balanced(curvature, 0.25);
-    float hollow = (0.5 + (0.5 * _e127));
+    float _e112 = outer_contour(2.0, surface.normal, surface.view, _e111);
+    float curvature = surface.kappa;
+    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
     float _e134 = eased_3_(hollow, 0.24, 0.16);
-    float ink_2 = max(i1_, _e134);
-    vec4 _e136 = bounded_vec4_(_e65);
-    vec4 _e142 = mixed_vec4_(_e136, vec4(0.1725, 0.1412, 0.1216, 1.0), ink_2);
-    vec4 _e143 = finite_vec4_(_e142);
-    return _e143;
+    float ink_2 = max(max(_e105, _e112), _e134);
+    vec4 _e137 = bounded_vec4_(_e65);
+    vec4 _e143 = mixed_vec4_(_e137, vec4(0.1725, 0.1412, 0.1216, 1.0), ink_2);
+    vec4 _e144 = finite_vec4_(_e143);
+    return _e144;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec2(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    vec4 _e36 = u_view.screen;
-    vec4 _e41 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e36.xy) + _e41.zw);
-    mat4x4 _e47 = u_view.camera_from_world;
-    vec4 _e51 = u_object.world_from_object[3];
-    float _e60 = u_view.eye.w;
-    float _e65 = u_view.clip_from_world[0][1];
-    float _e70 = u_view.clip_from_world[1][1];
-    float _e75 = u_view.clip_from_world[2][1];
-    vec3 _e78 = anchor_on_screen((_e47 * vec4(_e51.xyz, 1.0)).xyz, _e60, length(vec3(_e65, _e70, _e75)));
-    surface.anchor = _e78;
-    Surface _e79 = surface;
-    vec4 _e80 = shade(_e79);
-    vec4 _e81 = finite_vec4_(_e80);
-    out_color = _e81;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    vec4 _e30 = u_view.screen;
+    vec4 _e35 = u_view.screen;
+    mat4x4 _e40 = u_view.camera_from_world;
+    vec4 _e44 = u_object.world_from_object[3];
+    float _e53 = u_view.eye.w;
+    float _e58 = u_view.clip_from_world[0][1];
+    float _e63 = u_view.clip_from_world[1][1];
+    float _e68 = u_view.clip_from_world[2][1];
+    vec3 _e71 = anchor_on_screen((_e40 * vec4(_e44.xyz, 1.0)).xyz, _e53, length(vec3(_e58, _e63, _e68)));
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, ((in_.clip.xy * _e30.xy) + _e35.zw), _e71);
+    vec4 _e73 = shade(surface_1);
+    vec4 _e74 = finite_vec4_(_e73);
+    out_color = _e74;
     return;
 }
 

@@ -137,6 +137,7 @@ Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
+static const float MOST_ON_SCREEN = 1000000000000000.0;
 static const uint BLUE_TILE[256] = Constructarray256_uint_(667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 static const Ramp leaf_to_bloom = ConstructRamp(Constructarray16_float4_(float4(0.4353, 0.5412, 0.2353, 1.0), float4(0.6235, 0.7098, 0.3961, 1.0), float4(0.9098, 0.7255, 0.6275, 1.0), float4(0.8471, 0.3765, 0.4784, 1.0), float4(0.6588, 0.2275, 0.4, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.35, 0.6, 0.85), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx), 5u, 1u);
 
@@ -208,31 +209,22 @@ float bounded(float x_2)
     return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float3 bounded_vec3_(float3 v_3)
 {
-    uint2 bits_2 = asuint(v_3);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
+    uint3 bits_2 = asuint(v_3);
+    uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
+    float3 largest_1 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_1 : (0.0).xxx);
+    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_4)
+float4 bounded_vec4_(float4 v_4)
 {
-    uint3 bits_3 = asuint(v_4);
-    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
-}
-
-float4 bounded_vec4_(float4 v_5)
-{
-    uint4 bits_4 = asuint(v_5);
-    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
-    float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
+    uint4 bits_3 = asuint(v_4);
+    uint4 magnitude_2 = (bits_3 & (2147483647u).xxxx);
+    float4 largest_2 = asfloat(((bits_3 & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers_1 = ((magnitude_2 == (2139095040u).xxxx) ? largest_2 : (0.0).xxxx);
+    return ((magnitude_2 < (2139095040u).xxxx) ? v_4 : numbers_1);
 }
 
 float divided(float a, float b)
@@ -261,16 +253,16 @@ float4 mixed_vec4_(float4 a_2, float4 b_2, float t_1)
 float eased(float x_3, float low, float high)
 {
     const float _e3 = bounded(x_3);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_4 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_4 = clamp(_e7, 0.0, 1.0);
     return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
 }
 
 float eased_2_(float x_4, float low_1, float high_1)
 {
     const float _e3 = bounded(x_4);
-    const float _e8 = bounded(((_e3 - 0.75) / 0.75));
-    float t_5 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low_1) / 0.75));
+    float t_5 = clamp(_e7, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
@@ -288,10 +280,10 @@ float footprint_of(float x_6)
     return sqrt(dot(d_3, d_3));
 }
 
-float footprint_of_vec3_(float3 v_6)
+float footprint_of_vec3_(float3 v_5)
 {
-    float3 dx = ddx(v_6);
-    float3 dy = ddy(v_6);
+    float3 dx = ddx(v_5);
+    float3 dy = ddy(v_5);
     const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -427,44 +419,39 @@ float4 mix_colors_multiply(float4 a_4, float4 b_4, float factor)
     return float4(_e7, 1.0);
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_7 = (uint3)0;
+    uint3 v_6 = (uint3)0;
 
-    v_7 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_7;
-    uint3 _e32 = v_7;
-    v_7 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_7;
+    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_6;
+    uint3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_6;
     return _e61;
 }
 
@@ -546,8 +533,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e67 = i_1;
-            i_1 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_1;
+            i_1 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_2 = false;
         int _e17 = i_1;
@@ -574,31 +561,28 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.75), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.75), 1.0);
 }
 
 float size_on_screen(float depth, float perspective, float scale)
 {
-    const float _e10 = bounded(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 float3 anchor_on_screen(float3 origin, float perspective_1, float scale_1)
 {
     const float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    const float3 _e12 = bounded_vec3_(float3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(float3((origin.x * _e5), (-(origin.y) * _e5), _e5), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
 }
 
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    const float2 _e2 = bounded_vec2_(pixel);
-    float2 from_middle = (_e2 - (0.5 * viewport));
+    float2 from_middle = (pixel - (0.5 * viewport));
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
@@ -631,11 +615,9 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     float2 turn = float2(0.0, 1.0);
     float3 x_8 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
-    const float2 _e17 = bounded_vec2_(place);
-    float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     float3 stretch_4 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    const float2 _e37 = bounded_vec2_(turned);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_4);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch_4);
     return stretchedplace;
 }
 
@@ -649,10 +631,8 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_3 = (is_pixel ? (230.0 / max(viewport_1.y, 1.0)) : 230.0);
-    const float2 _e17 = bounded_vec2_(place_1);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_3));
-    float2 p_2 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    float scale_3 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    float2 p_2 = clamp((place_1 * scale_3), (-4194304.0).xx, (4194304.0).xx);
     const SpacedPlace spacedplace = ConstructSpacedPlace(p_2, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
@@ -772,22 +752,20 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 
 MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
 {
-    const float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_2);
-    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_5 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    const float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    float2 place_5 = ((_e8 - float2(anchor.x, -(anchor.y))) / (size).xx);
+    const StretchedPlace _e26 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e26.place, _e26.stretch);
     return markplace;
 }
 
 float outer_contour(float width, float3 normal, float3 view, float2 viewport_3)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((2.0 * clamp(viewport_3.y, 1.0, 100000.0)) / 1000.0);
-    const float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport_3.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
@@ -816,89 +794,91 @@ Dots ConstructDots(float arg0, float arg1, uint arg2) {
     return ret;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float3 where_2_ = surface_1.position_object;
+    float3 where_2_ = surface.position_object;
     VectorParts parts = ConstructVectorParts(where_2_.x, where_2_.y, where_2_.z);
-    const float _e11 = noise_perlin(surface_1.position_object, 4.0, int(3), 0.5, int(0));
-    float m = lerp(-0.35, 0.35, (_e11 - 0.0));
-    float height_mottled = (parts.y + m);
-    float share = clamp(((height_mottled - -0.9) / 1.85), 0.0, 1.0);
+    const float _e11 = noise_perlin(surface.position_object, 4.0, int(3), 0.5, int(0));
+    float height_mottled = (parts.y + lerp(-0.35, 0.35, (_e11 - 0.0)));
+    float share = clamp(((height_mottled + 0.9) / 1.85), 0.0, 1.0);
     const float _e27 = footprint_of(share);
     const float4 _e28 = ramp_at(leaf_to_bloom, share, _e27);
     float3 _e33 = look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e33) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e33) + 0.3) / 1.3), 0.0);
     float tone = lerp(0.02, 1.0, min(((shade_2_ - 0.0) / 0.8), 1.0));
     float short_of_the_light = lerp(0.85, 0.12, clamp(((tone - 0.55) / 0.4), 0.0, 1.0));
     const float4 _e65 = mix_colors_multiply(float4(0.9725, 0.949, 0.8863, 1.0), _e28, short_of_the_light);
-    float facing_1 = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
+    float facing_1 = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     float turning_away = lerp(0.2, 1.0, clamp(((facing_1 - 0.05) / 0.55), 0.0, 1.0));
     float engraved_tone = (tone * turning_away);
     float2 _e88 = look.viewport;
-    const MarkPlace _e89 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e88);
+    const MarkPlace _e89 = mark_place_object(0.0, surface.anchor, surface.pixel, _e88);
     float2 _e94 = look.viewport;
     const SpacedPlace _e96 = spaced(_e89.place, _e89.stretch, _e94, 230.0);
     const float _e105 = stippled(_e96, (1.0 - min(engraved_tone, 1.0)), ConstructDots(0.72, 0.8, 0u));
     float2 _e111 = look.viewport;
-    const float _e112 = outer_contour(2.0, surface_1.normal, surface_1.view, _e111);
-    float i1_ = max(_e105, _e112);
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e127 = curvature_signed_balanced(curvature, 0.25);
-    float hollow = (0.5 + (0.5 * _e127));
+    const float _e112 = outer_contour(2.0, surface.normal, surface.view, _e111);
+    float curvature = surface.kappa;
+    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
     const float _e134 = eased_3_(hollow, 0.24, 0.16);
-    float ink_2 = max(i1_, _e134);
-    const float4 _e136 = bounded_vec4_(_e65);
-    const float4 _e142 = mixed_vec4_(_e136, float4(0.1725, 0.1412, 0.1216, 1.0), ink_2);
-    const float4 _e143 = finite_vec4_(_e142);
-    return _e143;
+    float ink_2 = max(max(_e105, _e112), _e134);
+    const float4 _e137 = bounded_vec4_(_e65);
+    const float4 _e143 = mixed_vec4_(_e137, float4(0.1725, 0.1412, 0.1216, 1.0), ink_2);
+    const float4 _e144 = finite_vec4_(_e143);
+    return _e144;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float2 arg4, float3 arg5) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    ret.pixel = arg4;
+    ret.anchor = arg5;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e29.x;
-    float4 _e36 = view_1.screen;
-    float4 _e41 = view_1.screen;
-    surface.pixel = ((in_.clip_.xy * _e36.xy) + _e41.zw);
-    float4x4 _e47 = view_1.camera_from_world;
-    float4 _e51 = object.world_from_object[3];
-    float _e60 = view_1.eye.w;
-    float _e65 = view_1.clip_from_world[0].y;
-    float _e70 = view_1.clip_from_world[1].y;
-    float _e75 = view_1.clip_from_world[2].y;
-    const float3 _e78 = anchor_on_screen(mul(float4(_e51.xyz, 1.0), _e47).xyz, _e60, length(float3(_e65, _e70, _e75)));
-    surface.anchor = _e78;
-    Surface _e79 = surface;
-    const float4 _e80 = shade(_e79);
-    const float4 _e81 = finite_vec4_(_e80);
-    return _e81;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 _e30 = view_1.screen;
+    float4 _e35 = view_1.screen;
+    float4x4 _e40 = view_1.camera_from_world;
+    float4 _e44 = object.world_from_object[3];
+    float _e53 = view_1.eye.w;
+    float _e58 = view_1.clip_from_world[0].y;
+    float _e63 = view_1.clip_from_world[1].y;
+    float _e68 = view_1.clip_from_world[2].y;
+    const float3 _e71 = anchor_on_screen(mul(float4(_e44.xyz, 1.0), _e40).xyz, _e53, length(float3(_e58, _e63, _e68)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, ((in_.clip_.xy * _e30.xy) + _e35.zw), _e71);
+    const float4 _e73 = shade(surface_1);
+    const float4 _e74 = finite_vec4_(_e73);
+    return _e74;
 }

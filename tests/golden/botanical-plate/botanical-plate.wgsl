@@ -82,8 +82,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -121,15 +122,6 @@ fn bounded(x: f32) -> f32 {
     let magnitude = bits & 0x7fffffffu;
     let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
@@ -173,14 +165,14 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased_2(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.75) / 0.75), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -279,12 +271,6 @@ fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
     return vec4f(mixed_vec3(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
-}
-
 const NOISE_PERLIN: u32 = 1u;
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
@@ -359,7 +345,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -368,24 +354,27 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     return min(sum / 1.75, 1.0);
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -491,10 +480,9 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
     let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -507,8 +495,8 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(230.0, 230.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -553,13 +541,13 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
             break;
         }
         let cell = vec2i(corner) + vec2i(i % 3 - 1, i / 3 - 1);
-        let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 0u * vec3u(0x9e3779b9u,
-            0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+        let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 0u
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
         let turning = cell + vec2i(0i, zoom * 7);
-        let turn = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u * (bitcast<u32>(turning.x)
-            & 3u))) & 0xffu) + 0.5) * 0.00390625);
+        let turn = 0.96875 * ((f32((tile[blue_index(turning)]
+            >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         let radius = 0.5 * style.size * sqrt(grown);
         let far = length(offset) / reach;
@@ -583,8 +571,8 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
     let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch * exp2_stable(2.0
-        * zoom), w, style);
+    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch
+        * exp2_stable(2.0 * zoom), w, style);
     if fine > 0.0 {
         let finer = dots_of_octave(at.place, i32(zoom) + 1, ink * fine, at.stretch
             * exp2_stable(2.0 * zoom + 2.0), w, style);
@@ -595,8 +583,8 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -614,7 +602,7 @@ struct MarkPlace {
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normal, view), 0.0, 1.0);
-    let pixels = 2.0 * clamp(viewport.y, 1.0, 1e5) / 1000.0;
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of(facing), 1e-6);
     let near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
@@ -641,28 +629,28 @@ fn shade(surface: Surface) -> vec4f {
     let where_2 = surface.position_object;
     let parts = VectorParts(where_2.x, where_2.y, where_2.z);
     let mottled = noise_perlin(surface.position_object, 4.0, 3i, 0.5, 0i);
-    let m = mix(-0.35, 0.35, mottled - 0.0);
-    let height_mottled = parts.y + m;
-    let share = clamp((height_mottled - -0.9) / (0.95 - -0.9), 0.0, 1.0);
+    let height_mottled = parts.y + mix(-0.35, 0.35, mottled - 0.0);
+    let share = clamp((height_mottled + 0.9) / (0.95 + 0.9), 0.0, 1.0);
     let leaf_to_bloom_2 = ramp_at(leaf_to_bloom, share, footprint_of(share));
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let tone = mix(0.02, 1.0, min((shade_2 - 0.0) / (0.8 - 0.0), 1.0));
     let short_of_the_light = mix(0.85, 0.12, clamp((tone - 0.55) / (0.95 - 0.55), 0.0, 1.0));
-    let wash = mix_colors_multiply(vec4f(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2, short_of_the_light);
+    let wash = mix_colors_multiply(vec4f(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2,
+        short_of_the_light);
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let turning_away = mix(0.2, 1.0, clamp((facing - 0.05) / (0.6 - 0.05), 0.0, 1.0));
     let engraved_tone = tone * turning_away;
     let plate = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    let stipple = stippled(spaced(plate.place, plate.stretch, look.viewport, 230.0), 1.0 - min(engraved_tone, 1.0), Dots(0.72, 0.8, 0u));
+    let stipple = stippled(spaced(plate.place, plate.stretch, look.viewport, 230.0), 1.0
+        - min(engraved_tone, 1.0), Dots(0.72, 0.8, 0u));
     let contour = outer_contour(2.0, surface.normal, surface.view, look.viewport);
-    let i1 = max(stipple, contour);
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.25);
+    let curvature = surface.kappa;
+    let hollow = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.25, -20.0, 20.0))));
     let inked_hollows = eased_3(hollow, 0.24, 0.16);
-    let ink = max(i1, inked_hollows);
+    let ink = max(max(stipple, contour), inked_hollows);
     let plate_2 = mixed_vec4(bounded_vec4(wash), vec4f(0.1725, 0.1412, 0.1216, 1.0), ink);
-    let output = finite_vec4(plate_2);
-    return output;
+    return finite_vec4(plate_2);
 }
 
 struct Vertex {
@@ -680,25 +668,19 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x, in.clip.xy
+        * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))));
+    return finite_vec4(shade(surface));
 }

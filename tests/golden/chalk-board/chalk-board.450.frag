@@ -67,7 +67,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const ProfileShape orange_chalk_shape = ProfileShape(0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -100,11 +100,6 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -127,42 +122,21 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits_2 = floatBitsToUint(v_2);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
-}
-
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_3 = floatBitsToUint(v_3);
-    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_3, lessThan(magnitude_2, uvec3(2139095040u)));
-}
-
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
-    vec2 place_8 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    float _e19 = profile_soft_quick(place_8.x, shape_1);
+    vec2 place_6 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    float _e19 = profile_soft_quick(place_6.x, shape_1);
     if ((w < (0.1 * shape_1.edge_deviation))) {
         return _e19;
     }
     float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place_8.x * turn.y) - (place_8.y * turn.x)), shape_1);
-    float _e53 = profile_soft_quick(((place_8.x * turn.y) + (place_8.y * turn.x)), shape_1);
+    float _e45 = profile_soft_quick(((place_6.x * turn.y) - (place_6.y * turn.x)), shape_1);
+    float _e53 = profile_soft_quick(((place_6.x * turn.y) + (place_6.y * turn.x)), shape_1);
     return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
@@ -174,36 +148,36 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_4 = uvec3(0u);
-    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_4;
-    uvec3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_4;
+    uvec3 v_2 = uvec3(0u);
+    v_2 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_2.x;
+    uint _e10 = v_2.y;
+    uint _e12 = v_2.z;
+    v_2.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_2.y;
+    uint _e18 = v_2.z;
+    uint _e20 = v_2.x;
+    v_2.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_2.z;
+    uint _e26 = v_2.x;
+    uint _e28 = v_2.y;
+    v_2.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_2;
+    uvec3 _e32 = v_2;
+    v_2 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_2.x;
+    uint _e40 = v_2.y;
+    uint _e42 = v_2.z;
+    v_2.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_2.y;
+    uint _e48 = v_2.z;
+    uint _e50 = v_2.x;
+    v_2.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_2.z;
+    uint _e56 = v_2.x;
+    uint _e58 = v_2.y;
+    v_2.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_2;
     return _e61;
 }
 
@@ -247,189 +221,156 @@ float perlin_noise(vec3 p, uint seed_1) {
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    vec3 _e12 = bounded_vec3_(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 _e2 = bounded_vec2_(pixel);
-    vec2 from_middle = (_e2 - (0.5 * viewport));
+    vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle_1) {
     vec2 turn_1 = vec2(0.0, 1.0);
     vec3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
-    vec3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
-    vec2 _e17 = bounded_vec2_(place);
-    vec2 turned_1 = vec2(((turn_1.y * _e17.x) + (turn_1.x * _e17.y)), ((turn_1.y * _e17.y) - (turn_1.x * _e17.x)));
-    vec3 stretch_7 = vec3(dot(x_2, x_2), dot(x_2, y_1), dot(y_1, y_1));
-    vec2 _e37 = bounded_vec2_(turned_1);
-    return StretchedPlace(_e37, stretch_7);
+    vec3 y = ((turn_1.y * across) - (turn_1.x * along));
+    vec2 turned_1 = vec2(((turn_1.y * place.x) + (turn_1.x * place.y)), ((turn_1.y * place.y) - (turn_1.x * place.x)));
+    vec3 stretch_5 = vec3(dot(x_2, x_2), dot(x_2, y), dot(y, y));
+    return StretchedPlace(turned_1, stretch_5);
 }
 
 SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (120.0 / max(viewport_1.y, 1.0)) : 120.0);
-    vec2 _e17 = bounded_vec2_(place_1);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_2));
-    vec2 p_1 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    float scale_2 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    vec2 p_1 = clamp((place_1 * scale_2), vec2(-4194304.0), vec2(4194304.0));
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-SpacedPlace spaced_2_(vec2 place_2, vec3 stretch_1, vec2 viewport_2, float count_1) {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (220.0 / max(viewport_2.y, 1.0)) : 220.0);
-    vec2 _e17 = bounded_vec2_(place_2);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_3));
-    vec2 p_2 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_2, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : stretch_1));
+float area_square(vec3 stretch_1) {
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
 }
 
-SpacedPlace spaced_3_(vec2 place_3, vec3 stretch_2, vec2 viewport_3, float count_2) {
-    bool is_pixel_2 = !(((stretch_2.x + stretch_2.z) > 0.0));
-    float scale_4 = (is_pixel_2 ? (260.0 / max(viewport_3.y, 1.0)) : 260.0);
-    vec2 _e17 = bounded_vec2_(place_3);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_4));
-    vec2 p_3 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_3, (is_pixel_2 ? vec3(1.0, 0.0, 1.0) : stretch_2));
+MarkPlace mark_place_object(float angle_2, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
+    vec2 place_7 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace _e26 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
+    return MarkPlace(_e26.place, _e26.stretch);
 }
 
-float area_square(vec3 stretch_3) {
-    float sum_1 = (stretch_3.x + stretch_3.z);
-    return max(((stretch_3.x * stretch_3.z) - (stretch_3.y * stretch_3.y)), ((sum_1 * sum_1) / 66.0));
-}
-
-MarkPlace mark_place_object(float angle_2, vec3 anchor, vec2 pixel_1, vec2 viewport_4) {
-    float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_4);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_9 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_9, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
-    return MarkPlace(_e28.place, _e28.stretch);
-}
-
-float paper_octave(vec2 place_4, int zoom, float w_1, float fiber, uint seed_2) {
-    float scale_5 = uintBitsToFloat((uint((zoom + 127)) << 23u));
-    vec2 p_4 = clamp((place_4 * scale_5), vec2(-4194304.0), vec2(4194304.0));
+float paper_octave(vec2 place_2, int zoom, float w_1, float fiber, uint seed_2) {
+    float scale_3 = uintBitsToFloat((uint((zoom + 127)) << 23u));
+    vec2 p_2 = clamp((place_2 * scale_3), vec2(-4194304.0), vec2(4194304.0));
     uint own = (seed_2 + (7u * uint(zoom)));
-    float _e23 = perlin_noise(vec3(p_4, 0.5), own);
+    float _e23 = perlin_noise(vec3(p_2, 0.5), own);
     float grain = (_e23 - 0.5);
-    vec2 q_1 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
+    vec2 q_1 = clamp((2.7 * vec2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), vec2(-4194304.0), vec2(4194304.0));
     float _e52 = perlin_noise(vec3(q_1, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_5)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_5)));
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_3)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_3)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
 float paper_height(SpacedPlace at, float fiber_1, uint seed_3) {
     float height = 0.0;
     vec2 x_3 = dFdx(at.place);
-    vec2 y_2 = dFdy(at.place);
-    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_2, y_2)));
+    vec2 y_1 = dFdy(at.place);
+    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_1, y_1)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
     float f_1 = (level - zoom_1);
-    float _e27 = paper_octave(at.place, int(zoom_1), w_3, 0.5, seed_3);
-    height = _e27;
+    float _e26 = paper_octave(at.place, int(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        float _e37 = paper_octave(at.place, (int(zoom_1) + 1), w_3, 0.5, seed_3);
-        float both = mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at.place, (int(zoom_1) + 1), w_3, fiber_1, seed_3);
+        float both = mix(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
-PaperGrain paper_grain(float value, vec2 place_5, vec3 stretch_4, float count_3, float tooth, float fiber_2, int seed_4, vec2 viewport_5) {
-    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
+PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_1, float tooth, float fiber_2, int seed_4, vec2 viewport_3) {
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, 5u);
     float ink = (1.0 - value);
     return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
 }
 
-PaperGrain paper_grain_2_(float value_1, vec2 place_6, vec3 stretch_5, float count_4, float tooth_1, float fiber_3, int seed_5, vec2 viewport_6) {
-    SpacedPlace _e8 = spaced_2_(place_6, stretch_5, viewport_6, count_4);
+PaperGrain paper_grain_2_(float value_1, vec2 place_4, vec3 stretch_3, float count_2, float tooth_1, float fiber_3, int seed_5, vec2 viewport_4) {
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_2);
     float _e10 = paper_height(_e8, fiber_3, 9u);
     float ink_1 = (1.0 - value_1);
     return PaperGrain((1.0 - clamp((ink_1 + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink_1) * (1.0 - ink_1))), 0.0, 1.0)), _e10);
 }
 
-PaperGrain paper_grain_3_(float value_2, vec2 place_7, vec3 stretch_6, float count_5, float tooth_2, float fiber_4, int seed_6, vec2 viewport_7) {
-    SpacedPlace _e8 = spaced_3_(place_7, stretch_6, viewport_7, count_5);
+PaperGrain paper_grain_3_(float value_2, vec2 place_5, vec3 stretch_4, float count_3, float tooth_2, float fiber_4, int seed_6, vec2 viewport_5) {
+    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
     float _e10 = paper_height(_e8, fiber_4, 3u);
     float ink_2 = (1.0 - max(value_2, 0.0));
     return PaperGrain((1.0 - clamp((ink_2 + ((((8.0 * tooth_2) * (_e10 - 0.5)) * ink_2) * (1.0 - ink_2))), 0.0, 1.0)), _e10);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e5) + 0.15) / 1.15), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e5) + 0.15) / 1.15), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.9), 1.0);
     float rubbed = mix(0.05, 0.5, min(((tone - 0.0) / 0.6), 1.0));
     float r_bare = (1.0 - rubbed);
     vec2 _e35 = u_look.viewport;
-    MarkPlace _e36 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e35);
+    MarkPlace _e36 = mark_place_object(0.0, surface.anchor, surface.pixel, _e35);
     vec2 _e45 = u_look.viewport;
     PaperGrain _e46 = paper_grain(r_bare, _e36.place, _e36.stretch, 120.0, 0.6, 0.5, 5, _e45);
     float _e50 = bounded((1.0 - _e46.tone));
     vec4 blue_gray = mix(vec4(0.1216, 0.1647, 0.1686, 1.0), vec4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     vec3 _e66 = u_look.back.direction;
     vec3 _e75 = u_look.back.direction;
-    Angle turn_2 = Angle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
+    Angle turn_2 = Angle((0.5 * length((surface.normal - _e66))), (0.5 * length((surface.normal + _e75))));
     float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = (1.0 - _e83);
     vec2 _e94 = u_look.viewport;
     PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, 9, _e94);
-    float _e99 = bounded((1.0 - _e95.tone));
-    vec4 orange = mix(blue_gray, vec4(0.9412, 0.6353, 0.3608, 1.0), _e99);
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e119 = curvature_signed_balanced(curvature, 0.16);
-    float hollow_to_bulge = (0.5 + (0.5 * _e119));
+    float _e104 = bounded((1.0 - _e95.tone));
+    vec4 orange = mix(blue_gray, vec4(0.9412, 0.6353, 0.3608, 1.0), _e104);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.16), -20.0, 20.0))))))));
     float bare_in_hollows = mix(0.1, 1.0, clamp(((hollow_to_bulge - 0.15) / 0.35), 0.0, 1.0));
     float white_chalk = (tone * bare_in_hollows);
     float w_bare = (1.0 - white_chalk);
-    vec2 _e145 = u_look.viewport;
-    PaperGrain _e146 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, 3, _e145);
-    float _e150 = bounded((1.0 - _e146.tone));
-    vec4 output_ = mix(orange, vec4(0.9686, 0.9529, 0.9098, 1.0), _e150);
-    return output_;
+    vec2 _e146 = u_look.viewport;
+    PaperGrain _e147 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, 3, _e146);
+    float _e156 = bounded((1.0 - _e147.tone));
+    vec4 white = mix(orange, vec4(0.9686, 0.9529, 0.9098, 1.0), _e156);
+    return white;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0, vec2(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    vec4 _e21 = u_view.screen;
-    vec4 _e26 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e21.xy) + _e26.zw);
-    mat4x4 _e32 = u_view.camera_from_world;
-    vec4 _e36 = u_object.world_from_object[3];
-    float _e45 = u_view.eye.w;
-    float _e50 = u_view.clip_from_world[0][1];
-    float _e55 = u_view.clip_from_world[1][1];
-    float _e60 = u_view.clip_from_world[2][1];
-    vec3 _e63 = anchor_on_screen((_e32 * vec4(_e36.xyz, 1.0)).xyz, _e45, length(vec3(_e50, _e55, _e60)));
-    surface.anchor = _e63;
-    Surface _e64 = surface;
-    vec4 _e65 = shade(_e64);
-    out_color = _e65;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    vec4 _e17 = u_view.screen;
+    vec4 _e22 = u_view.screen;
+    mat4x4 _e27 = u_view.camera_from_world;
+    vec4 _e31 = u_object.world_from_object[3];
+    float _e40 = u_view.eye.w;
+    float _e45 = u_view.clip_from_world[0][1];
+    float _e50 = u_view.clip_from_world[1][1];
+    float _e55 = u_view.clip_from_world[2][1];
+    vec3 _e58 = anchor_on_screen((_e27 * vec4(_e31.xyz, 1.0)).xyz, _e40, length(vec3(_e45, _e50, _e55)));
+    Surface surface_1 = Surface(normal, _e11.x, ((in_.clip.xy * _e17.xy) + _e22.zw), _e58);
+    vec4 _e60 = shade(surface_1);
+    out_color = _e60;
     return;
 }
 

@@ -38,7 +38,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const ProfileShape orange_chalk_shape = ProfileShape(0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -51,16 +51,13 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    mat3x3 _e17 = u_object.world_from_normal;
-    out_.normal = (_e17 * vertex.normal);
-    Varyings _e20 = out_;
-    gl_Position = _e20.clip;
-    v_normal = _e20.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e14 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), (_e14 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_normal = _tmp_return.normal;
     return;
 }
 

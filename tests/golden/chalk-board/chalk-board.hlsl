@@ -116,7 +116,7 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
+static const float MOST_ON_SCREEN = 1000000000000000.0;
 static const ProfileShape orange_chalk_shape = ConstructProfileShape(0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u);
 
 cbuffer view : register(b0) { View view; }
@@ -157,12 +157,6 @@ float3 normalize_seen(float3 v_1)
     return _e5;
 }
 
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
@@ -196,47 +190,23 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_2)
-{
-    uint2 bits_2 = asuint(v_2);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
-}
-
-float3 bounded_vec3_(float3 v_3)
-{
-    uint3 bits_3 = asuint(v_3);
-    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_3 : numbers_1);
-}
-
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
 {
-    float2 place_8 = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place_8.x, shape_1);
+    float2 place_6 = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place_6.x, shape_1);
     if ((w < (0.1 * shape_1.edge_deviation))) {
         return _e19;
     }
     float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place_8.x * turn.y) - (place_8.y * turn.x)), shape_1);
-    const float _e53 = profile_soft_quick(((place_8.x * turn.y) + (place_8.y * turn.x)), shape_1);
+    const float _e45 = profile_soft_quick(((place_6.x * turn.y) - (place_6.y * turn.x)), shape_1);
+    const float _e53 = profile_soft_quick(((place_6.x * turn.y) + (place_6.y * turn.x)), shape_1);
     return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
@@ -250,37 +220,37 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_4 = (uint3)0;
+    uint3 v_2 = (uint3)0;
 
-    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_4;
-    uint3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_4;
+    v_2 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_2.x;
+    uint _e10 = v_2.y;
+    uint _e12 = v_2.z;
+    v_2.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_2.y;
+    uint _e18 = v_2.z;
+    uint _e20 = v_2.x;
+    v_2.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_2.z;
+    uint _e26 = v_2.x;
+    uint _e28 = v_2.y;
+    v_2.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_2;
+    uint3 _e32 = v_2;
+    v_2 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_2.x;
+    uint _e40 = v_2.y;
+    uint _e42 = v_2.z;
+    v_2.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_2.y;
+    uint _e48 = v_2.z;
+    uint _e50 = v_2.x;
+    v_2.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_2.z;
+    uint _e56 = v_2.x;
+    uint _e58 = v_2.y;
+    v_2.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_2;
     return _e61;
 }
 
@@ -339,21 +309,18 @@ float perlin_noise(float3 p, uint seed_1)
 
 float size_on_screen(float depth, float perspective, float scale)
 {
-    const float _e10 = bounded(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 float3 anchor_on_screen(float3 origin, float perspective_1, float scale_1)
 {
     const float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    const float3 _e12 = bounded_vec3_(float3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(float3((origin.x * _e5), (-(origin.y) * _e5), _e5), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
 }
 
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    const float2 _e2 = bounded_vec2_(pixel);
-    float2 from_middle = (_e2 - (0.5 * viewport));
+    float2 from_middle = (pixel - (0.5 * viewport));
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
@@ -368,12 +335,10 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
 {
     float2 turn_1 = float2(0.0, 1.0);
     float3 x_2 = ((turn_1.y * along) + (turn_1.x * across));
-    float3 y_1 = ((turn_1.y * across) - (turn_1.x * along));
-    const float2 _e17 = bounded_vec2_(place);
-    float2 turned_1 = float2(((turn_1.y * _e17.x) + (turn_1.x * _e17.y)), ((turn_1.y * _e17.y) - (turn_1.x * _e17.x)));
-    float3 stretch_7 = float3(dot(x_2, x_2), dot(x_2, y_1), dot(y_1, y_1));
-    const float2 _e37 = bounded_vec2_(turned_1);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_7);
+    float3 y = ((turn_1.y * across) - (turn_1.x * along));
+    float2 turned_1 = float2(((turn_1.y * place.x) + (turn_1.x * place.y)), ((turn_1.y * place.y) - (turn_1.x * place.x)));
+    float3 stretch_5 = float3(dot(x_2, x_2), dot(x_2, y), dot(y, y));
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned_1, stretch_5);
     return stretchedplace;
 }
 
@@ -387,40 +352,16 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (120.0 / max(viewport_1.y, 1.0)) : 120.0);
-    const float2 _e17 = bounded_vec2_(place_1);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_2));
-    float2 p_1 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    float scale_2 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    float2 p_1 = clamp((place_1 * scale_2), (-4194304.0).xx, (4194304.0).xx);
     const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
 
-SpacedPlace spaced_2_(float2 place_2, float3 stretch_1, float2 viewport_2, float count_1)
+float area_square(float3 stretch_1)
 {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (220.0 / max(viewport_2.y, 1.0)) : 220.0);
-    const float2 _e17 = bounded_vec2_(place_2);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_3));
-    float2 p_2 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_2, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : stretch_1));
-    return spacedplace_1;
-}
-
-SpacedPlace spaced_3_(float2 place_3, float3 stretch_2, float2 viewport_3, float count_2)
-{
-    bool is_pixel_2 = !(((stretch_2.x + stretch_2.z) > 0.0));
-    float scale_4 = (is_pixel_2 ? (260.0 / max(viewport_3.y, 1.0)) : 260.0);
-    const float2 _e17 = bounded_vec2_(place_3);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_4));
-    float2 p_3 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace_2 = ConstructSpacedPlace(p_3, (is_pixel_2 ? float3(1.0, 0.0, 1.0) : stretch_2));
-    return spacedplace_2;
-}
-
-float area_square(float3 stretch_3)
-{
-    float sum_1 = (stretch_3.x + stretch_3.z);
-    return max(((stretch_3.x * stretch_3.z) - (stretch_3.y * stretch_3.y)), ((sum_1 * sum_1) / 66.0));
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -430,30 +371,28 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_object(float angle_2, float3 anchor, float2 pixel_1, float2 viewport_4)
+MarkPlace mark_place_object(float angle_2, float3 anchor, float2 pixel_1, float2 viewport_2)
 {
-    const float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_4);
-    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_9 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_9, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    const float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    float2 place_7 = ((_e8 - float2(anchor.x, -(anchor.y))) / (size).xx);
+    const StretchedPlace _e26 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
+    const MarkPlace markplace = ConstructMarkPlace(_e26.place, _e26.stretch);
     return markplace;
 }
 
-float paper_octave(float2 place_4, int zoom, float w_1, float fiber, uint seed_2)
+float paper_octave(float2 place_2, int zoom, float w_1, float fiber, uint seed_2)
 {
-    float scale_5 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p_4 = clamp((place_4 * scale_5), (-4194304.0).xx, (4194304.0).xx);
+    float scale_3 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p_2 = clamp((place_2 * scale_3), (-4194304.0).xx, (4194304.0).xx);
     uint own = (seed_2 + (7u * asuint(zoom)));
-    const float _e23 = perlin_noise(float3(p_4, 0.5), own);
+    const float _e23 = perlin_noise(float3(p_2, 0.5), own);
     float grain = (_e23 - 0.5);
-    float2 q_1 = clamp((2.7 * float2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), (-4194304.0).xx, (4194304.0).xx);
+    float2 q_1 = clamp((2.7 * float2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), (-4194304.0).xx, (4194304.0).xx);
     const float _e52 = perlin_noise(float3(q_1, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_5)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_5)));
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_3)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_3)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -466,23 +405,23 @@ float paper_height(SpacedPlace at, float fiber_1, uint seed_3)
     float height = (float)0;
 
     float2 x_3 = ddx(at.place);
-    float2 y_2 = ddy(at.place);
-    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_2, y_2)));
+    float2 y_1 = ddy(at.place);
+    float w_3 = sqrt(max(dot(x_3, x_3), dot(y_1, y_1)));
     const float _e12 = area_square(at.stretch);
     const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
     float f_1 = (level - zoom_1);
-    const float _e27 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, 0.5, seed_3);
-    height = _e27;
+    const float _e26 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        const float _e37 = paper_octave(at.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_3, 0.5, seed_3);
-        float both = lerp(_e31, _e37, f_1);
+        float _e30 = height;
+        const float _e35 = paper_octave(at.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_3, fiber_1, seed_3);
+        float both = lerp(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -492,82 +431,92 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value, float2 place_5, float3 stretch_4, float count_3, float tooth, float fiber_2, int seed_4, float2 viewport_5)
+PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_1, float tooth, float fiber_2, int seed_4, float2 viewport_3)
 {
-    const SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
+    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     const float _e10 = paper_height(_e8, fiber_2, 5u);
     float ink = (1.0 - value);
     const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
     return papergrain;
 }
 
-PaperGrain paper_grain_2_(float value_1, float2 place_6, float3 stretch_5, float count_4, float tooth_1, float fiber_3, int seed_5, float2 viewport_6)
+PaperGrain paper_grain_2_(float value_1, float2 place_4, float3 stretch_3, float count_2, float tooth_1, float fiber_3, int seed_5, float2 viewport_4)
 {
-    const SpacedPlace _e8 = spaced_2_(place_6, stretch_5, viewport_6, count_4);
+    const SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_2);
     const float _e10 = paper_height(_e8, fiber_3, 9u);
     float ink_1 = (1.0 - value_1);
     const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink_1 + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink_1) * (1.0 - ink_1))), 0.0, 1.0)), _e10);
     return papergrain_1;
 }
 
-PaperGrain paper_grain_3_(float value_2, float2 place_7, float3 stretch_6, float count_5, float tooth_2, float fiber_4, int seed_6, float2 viewport_7)
+PaperGrain paper_grain_3_(float value_2, float2 place_5, float3 stretch_4, float count_3, float tooth_2, float fiber_4, int seed_6, float2 viewport_5)
 {
-    const SpacedPlace _e8 = spaced_3_(place_7, stretch_6, viewport_7, count_5);
+    const SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
     const float _e10 = paper_height(_e8, fiber_4, 3u);
     float ink_2 = (1.0 - max(value_2, 0.0));
     const PaperGrain papergrain_2 = ConstructPaperGrain((1.0 - clamp((ink_2 + ((((8.0 * tooth_2) * (_e10 - 0.5)) * ink_2) * (1.0 - ink_2))), 0.0, 1.0)), _e10);
     return papergrain_2;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e5) + 0.15) / 1.15), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e5) + 0.15) / 1.15), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.9), 1.0);
     float rubbed = lerp(0.05, 0.5, min(((tone - 0.0) / 0.6), 1.0));
     float r_bare = (1.0 - rubbed);
     float2 _e35 = look.viewport;
-    const MarkPlace _e36 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e35);
+    const MarkPlace _e36 = mark_place_object(0.0, surface.anchor, surface.pixel, _e35);
     float2 _e45 = look.viewport;
     const PaperGrain _e46 = paper_grain(r_bare, _e36.place, _e36.stretch, 120.0, 0.6, 0.5, int(5), _e45);
     const float _e50 = bounded((1.0 - _e46.tone));
     float4 blue_gray = lerp(float4(0.1216, 0.1647, 0.1686, 1.0), float4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     float3 _e66 = look.back.direction;
     float3 _e75 = look.back.direction;
-    Angle turn_2 = ConstructAngle((0.5 * length((surface_1.normal - _e66))), (0.5 * length((surface_1.normal + _e75))));
+    Angle turn_2 = ConstructAngle((0.5 * length((surface.normal - _e66))), (0.5 * length((surface.normal + _e75))));
     const float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = (1.0 - _e83);
     float2 _e94 = look.viewport;
     const PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, int(9), _e94);
-    const float _e99 = bounded((1.0 - _e95.tone));
-    float4 orange = lerp(blue_gray, float4(0.9412, 0.6353, 0.3608, 1.0), _e99);
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e119 = curvature_signed_balanced(curvature, 0.16);
-    float hollow_to_bulge = (0.5 + (0.5 * _e119));
+    const float _e104 = bounded((1.0 - _e95.tone));
+    float4 orange = lerp(blue_gray, float4(0.9412, 0.6353, 0.3608, 1.0), _e104);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.16), -20.0, 20.0))))))));
     float bare_in_hollows = lerp(0.1, 1.0, clamp(((hollow_to_bulge - 0.15) / 0.35), 0.0, 1.0));
     float white_chalk = (tone * bare_in_hollows);
     float w_bare = (1.0 - white_chalk);
-    float2 _e145 = look.viewport;
-    const PaperGrain _e146 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, int(3), _e145);
-    const float _e150 = bounded((1.0 - _e146.tone));
-    float4 output = lerp(orange, float4(0.9686, 0.9529, 0.9098, 1.0), _e150);
-    return output;
+    float2 _e146 = look.viewport;
+    const PaperGrain _e147 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, int(3), _e146);
+    const float _e156 = bounded((1.0 - _e147.tone));
+    float4 white = lerp(orange, float4(0.9686, 0.9529, 0.9098, 1.0), _e156);
+    return white;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float arg1, float2 arg2, float3 arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.kappa = arg1;
+    ret.pixel = arg2;
+    ret.anchor = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -578,25 +527,19 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e14.x;
-    float4 _e21 = view.screen;
-    float4 _e26 = view.screen;
-    surface.pixel = ((in_.clip_.xy * _e21.xy) + _e26.zw);
-    float4x4 _e32 = view.camera_from_world;
-    float4 _e36 = object.world_from_object[3];
-    float _e45 = view.eye.w;
-    float _e50 = view.clip_from_world[0].y;
-    float _e55 = view.clip_from_world[1].y;
-    float _e60 = view.clip_from_world[2].y;
-    const float3 _e63 = anchor_on_screen(mul(float4(_e36.xyz, 1.0), _e32).xyz, _e45, length(float3(_e50, _e55, _e60)));
-    surface.anchor = _e63;
-    Surface _e64 = surface;
-    const float4 _e65 = shade(_e64);
-    return _e65;
+    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 _e17 = view.screen;
+    float4 _e22 = view.screen;
+    float4x4 _e27 = view.camera_from_world;
+    float4 _e31 = object.world_from_object[3];
+    float _e40 = view.eye.w;
+    float _e45 = view.clip_from_world[0].y;
+    float _e50 = view.clip_from_world[1].y;
+    float _e55 = view.clip_from_world[2].y;
+    const float3 _e58 = anchor_on_screen(mul(float4(_e31.xyz, 1.0), _e27).xyz, _e40, length(float3(_e45, _e50, _e55)));
+    Surface surface_1 = ConstructSurface(normal_2, _e11.x, ((in_.clip_.xy * _e17.xy) + _e22.zw), _e58);
+    const float4 _e60 = shade(surface_1);
+    return _e60;
 }

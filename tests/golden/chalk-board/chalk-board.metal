@@ -83,7 +83,7 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
+constant float MOST_ON_SCREEN = 1000000000000000.0;
 constant ProfileShape orange_chalk_shape = ProfileShape {0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u};
 
 float log2_stable(
@@ -110,13 +110,6 @@ metal::float3 normalize_seen(
 ) {
     metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -148,40 +141,12 @@ float bounded(
     return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float2 bounded_vec2_(
-    metal::float2 v_2
-) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
-}
-
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
-) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_3, magnitude_2 < metal::uint3(2139095040u));
-}
-
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 float profile_soft_quick(
     float s,
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -189,15 +154,15 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape_1
 ) {
-    metal::float2 place_8 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
-    float _e19 = profile_soft_quick(place_8.x, shape_1);
+    metal::float2 place_6 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
+    float _e19 = profile_soft_quick(place_6.x, shape_1);
     if (w < (0.1 * shape_1.edge_deviation)) {
         return _e19;
     }
     float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place_8.x * turn.y) - (place_8.y * turn.x), shape_1);
-    float _e53 = profile_soft_quick((place_8.x * turn.y) + (place_8.y * turn.x), shape_1);
+    float _e45 = profile_soft_quick((place_6.x * turn.y) - (place_6.y * turn.x), shape_1);
+    float _e53 = profile_soft_quick((place_6.x * turn.y) + (place_6.y * turn.x), shape_1);
     return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
@@ -215,36 +180,36 @@ float profile_balanced(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_4 = {};
-    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_4;
-    metal::uint3 _e32 = v_4;
-    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_4;
+    metal::uint3 v_2 = {};
+    v_2 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_2.x;
+    uint _e10 = v_2.y;
+    uint _e12 = v_2.z;
+    v_2.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_2.y;
+    uint _e18 = v_2.z;
+    uint _e20 = v_2.x;
+    v_2.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_2.z;
+    uint _e26 = v_2.x;
+    uint _e28 = v_2.y;
+    v_2.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_2;
+    metal::uint3 _e32 = v_2;
+    v_2 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_2.x;
+    uint _e40 = v_2.y;
+    uint _e42 = v_2.z;
+    v_2.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_2.y;
+    uint _e48 = v_2.z;
+    uint _e50 = v_2.x;
+    v_2.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_2.z;
+    uint _e56 = v_2.x;
+    uint _e58 = v_2.y;
+    v_2.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_2;
     return _e61;
 }
 
@@ -309,8 +274,7 @@ float size_on_screen(
     float perspective,
     float scale
 ) {
-    float _e10 = bounded((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective));
-    return _e10;
+    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
 metal::float3 anchor_on_screen(
@@ -319,16 +283,14 @@ metal::float3 anchor_on_screen(
     float scale_1
 ) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    metal::float3 _e12 = bounded_vec3_(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5));
-    return _e12;
+    return metal::clamp(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 _e2 = bounded_vec2_(pixel);
-    metal::float2 from_middle = _e2 - (0.5 * viewport);
+    metal::float2 from_middle = pixel - (0.5 * viewport);
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
@@ -340,12 +302,10 @@ StretchedPlace mark_place_of(
 ) {
     metal::float2 turn_1 = metal::float2(0.0, 1.0);
     metal::float3 x_2 = (turn_1.y * along) + (turn_1.x * across);
-    metal::float3 y_1 = (turn_1.y * across) - (turn_1.x * along);
-    metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned_1 = metal::float2((turn_1.y * _e17.x) + (turn_1.x * _e17.y), (turn_1.y * _e17.y) - (turn_1.x * _e17.x));
-    metal::float3 stretch_7 = metal::float3(metal::dot(x_2, x_2), metal::dot(x_2, y_1), metal::dot(y_1, y_1));
-    metal::float2 _e37 = bounded_vec2_(turned_1);
-    return StretchedPlace {_e37, {}, stretch_7};
+    metal::float3 y = (turn_1.y * across) - (turn_1.x * along);
+    metal::float2 turned_1 = metal::float2((turn_1.y * place.x) + (turn_1.x * place.y), (turn_1.y * place.y) - (turn_1.x * place.x));
+    metal::float3 stretch_5 = metal::float3(metal::dot(x_2, x_2), metal::dot(x_2, y), metal::dot(y, y));
+    return StretchedPlace {turned_1, {}, stretch_5};
 }
 
 SpacedPlace spaced(
@@ -355,80 +315,48 @@ SpacedPlace spaced(
     float count
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = is_pixel ? (120.0 / metal::max(viewport_1.y, 1.0)) : 120.0;
-    metal::float2 _e17 = bounded_vec2_(place_1);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_2);
-    metal::float2 p_1 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    float scale_2 = is_pixel ? (count / metal::max(viewport_1.y, 1.0)) : count;
+    metal::float2 p_1 = metal::clamp(place_1 * scale_2, metal::float2(-4194304.0), metal::float2(4194304.0));
     return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
-SpacedPlace spaced_2_(
-    metal::float2 place_2,
-    metal::float3 stretch_1,
-    metal::float2 viewport_2,
-    float count_1
-) {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = is_pixel_1 ? (220.0 / metal::max(viewport_2.y, 1.0)) : 220.0;
-    metal::float2 _e17 = bounded_vec2_(place_2);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_3);
-    metal::float2 p_2 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
-    return SpacedPlace {p_2, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : stretch_1};
-}
-
-SpacedPlace spaced_3_(
-    metal::float2 place_3,
-    metal::float3 stretch_2,
-    metal::float2 viewport_3,
-    float count_2
-) {
-    bool is_pixel_2 = !(((stretch_2.x + stretch_2.z) > 0.0));
-    float scale_4 = is_pixel_2 ? (260.0 / metal::max(viewport_3.y, 1.0)) : 260.0;
-    metal::float2 _e17 = bounded_vec2_(place_3);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_4);
-    metal::float2 p_3 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
-    return SpacedPlace {p_3, {}, is_pixel_2 ? metal::float3(1.0, 0.0, 1.0) : stretch_2};
-}
-
 float area_square(
-    metal::float3 stretch_3
+    metal::float3 stretch_1
 ) {
-    float sum_1 = stretch_3.x + stretch_3.z;
-    return metal::max((stretch_3.x * stretch_3.z) - (stretch_3.y * stretch_3.y), (sum_1 * sum_1) / 66.0);
+    float sum_1 = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_1 * sum_1) / 66.0);
 }
 
 MarkPlace mark_place_object(
     float angle_2,
     metal::float3 anchor,
     metal::float2 pixel_1,
-    metal::float2 viewport_4
+    metal::float2 viewport_2
 ) {
-    float _e5 = bounded(anchor.z);
-    float size = metal::clamp(_e5, 0.000001, 1000000.0);
-    metal::float2 _e9 = place_in_picture(pixel_1, viewport_4);
-    metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_9 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_9, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_2);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
+    float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
+    metal::float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    metal::float2 place_7 = (_e8 - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
+    StretchedPlace _e26 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_2);
+    return MarkPlace {_e26.place, {}, _e26.stretch};
 }
 
 float paper_octave(
-    metal::float2 place_4,
+    metal::float2 place_2,
     int zoom,
     float w_1,
     float fiber,
     uint seed_2
 ) {
-    float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
-    metal::float2 p_4 = metal::clamp(place_4 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
+    float scale_3 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p_2 = metal::clamp(place_2 * scale_3, metal::float2(-4194304.0), metal::float2(4194304.0));
     uint own = seed_2 + (7u * as_type<uint>(zoom));
-    float _e23 = perlin_noise(metal::float3(p_4, 0.5), own);
+    float _e23 = perlin_noise(metal::float3(p_2, 0.5), own);
     float grain = _e23 - 0.5;
-    metal::float2 q_1 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 q_1 = metal::clamp(2.7 * metal::float2((0.8 * p_2.x) - (0.6 * p_2.y), (0.6 * p_2.x) + (0.8 * p_2.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
     float _e52 = perlin_noise(metal::float3(q_1, 0.5), own + 1u);
     float felt = _e52 - 0.5;
-    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * scale_5);
-    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_1) * scale_5);
+    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * scale_3);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_1) * scale_3);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
@@ -443,36 +371,36 @@ float paper_height(
 ) {
     float height = {};
     metal::float2 x_3 = metal::dfdx(at.place);
-    metal::float2 y_2 = metal::dfdy(at.place);
-    float w_3 = metal::sqrt(metal::max(metal::dot(x_3, x_3), metal::dot(y_2, y_2)));
+    metal::float2 y_1 = metal::dfdy(at.place);
+    float w_3 = metal::sqrt(metal::max(metal::dot(x_3, x_3), metal::dot(y_1, y_1)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
     float zoom_1 = metal::floor(level);
     float f_1 = level - zoom_1;
-    float _e27 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, 0.5, seed_3);
-    height = _e27;
+    float _e26 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if (f_1 > 0.0) {
-        float _e31 = height;
-        float _e37 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_3, 0.5, seed_3);
-        float both = metal::mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_3, fiber_1, seed_3);
+        float both = metal::mix(_e30, _e35, f_1);
         height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain paper_grain(
     float value,
-    metal::float2 place_5,
-    metal::float3 stretch_4,
-    float count_3,
+    metal::float2 place_3,
+    metal::float3 stretch_2,
+    float count_1,
     float tooth,
     float fiber_2,
     int seed_4,
-    metal::float2 viewport_5
+    metal::float2 viewport_3
 ) {
-    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, 5u);
     float ink = 1.0 - value;
     return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth) * (_e10 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e10};
@@ -480,15 +408,15 @@ PaperGrain paper_grain(
 
 PaperGrain paper_grain_2_(
     float value_1,
-    metal::float2 place_6,
-    metal::float3 stretch_5,
-    float count_4,
+    metal::float2 place_4,
+    metal::float3 stretch_3,
+    float count_2,
     float tooth_1,
     float fiber_3,
     int seed_5,
-    metal::float2 viewport_6
+    metal::float2 viewport_4
 ) {
-    SpacedPlace _e8 = spaced_2_(place_6, stretch_5, viewport_6, count_4);
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_2);
     float _e10 = paper_height(_e8, fiber_3, 9u);
     float ink_1 = 1.0 - value_1;
     return PaperGrain {1.0 - metal::clamp(ink_1 + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink_1) * (1.0 - ink_1)), 0.0, 1.0), _e10};
@@ -496,55 +424,54 @@ PaperGrain paper_grain_2_(
 
 PaperGrain paper_grain_3_(
     float value_2,
-    metal::float2 place_7,
-    metal::float3 stretch_6,
-    float count_5,
+    metal::float2 place_5,
+    metal::float3 stretch_4,
+    float count_3,
     float tooth_2,
     float fiber_4,
     int seed_6,
-    metal::float2 viewport_7
+    metal::float2 viewport_5
 ) {
-    SpacedPlace _e8 = spaced_3_(place_7, stretch_6, viewport_7, count_5);
+    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
     float _e10 = paper_height(_e8, fiber_4, 3u);
     float ink_2 = 1.0 - metal::max(value_2, 0.0);
     return PaperGrain {1.0 - metal::clamp(ink_2 + ((((8.0 * tooth_2) * (_e10 - 0.5)) * ink_2) * (1.0 - ink_2)), 0.0, 1.0), _e10};
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface_1.normal, _e5) + 0.15) / 1.15, 0.0);
+    float shade_2_ = metal::max((metal::dot(surface.normal, _e5) + 0.15) / 1.15, 0.0);
     float tone = metal::min((shade_2_ - 0.0) / 0.9, 1.0);
     float rubbed = metal::mix(0.05, 0.5, metal::min((tone - 0.0) / 0.6, 1.0));
     float r_bare = 1.0 - rubbed;
     metal::float2 _e35 = look.viewport;
-    MarkPlace _e36 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e35);
+    MarkPlace _e36 = mark_place_object(0.0, surface.anchor, surface.pixel, _e35);
     metal::float2 _e45 = look.viewport;
     PaperGrain _e46 = paper_grain(r_bare, _e36.place, _e36.stretch, 120.0, 0.6, 0.5, 5, _e45);
     float _e50 = bounded(1.0 - _e46.tone);
     metal::float4 blue_gray = metal::mix(metal::float4(0.1216, 0.1647, 0.1686, 1.0), metal::float4(0.4275, 0.5098, 0.5647, 1.0), _e50);
     metal::float3 _e66 = look.back.direction;
     metal::float3 _e75 = look.back.direction;
-    Angle turn_2 = Angle {0.5 * metal::length(surface_1.normal - _e66), 0.5 * metal::length(surface_1.normal + _e75)};
+    Angle turn_2 = Angle {0.5 * metal::length(surface.normal - _e66), 0.5 * metal::length(surface.normal + _e75)};
     float _e83 = profile_balanced(turn_2, 0.0, orange_chalk_shape);
     float o_bare = 1.0 - _e83;
     metal::float2 _e94 = look.viewport;
     PaperGrain _e95 = paper_grain_2_(o_bare, _e36.place, _e36.stretch, 220.0, 0.8, 0.5, 9, _e94);
-    float _e99 = bounded(1.0 - _e95.tone);
-    metal::float4 orange = metal::mix(blue_gray, metal::float4(0.9412, 0.6353, 0.3608, 1.0), _e99);
-    float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e119 = curvature_signed_balanced(curvature, 0.16);
-    float hollow_to_bulge = 0.5 + (0.5 * _e119);
+    float _e104 = bounded(1.0 - _e95.tone);
+    metal::float4 orange = metal::mix(blue_gray, metal::float4(0.9412, 0.6353, 0.3608, 1.0), _e104);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.16, -20.0, 20.0))))));
     float bare_in_hollows = metal::mix(0.1, 1.0, metal::clamp((hollow_to_bulge - 0.15) / 0.35, 0.0, 1.0));
     float white_chalk = tone * bare_in_hollows;
     float w_bare = 1.0 - white_chalk;
-    metal::float2 _e145 = look.viewport;
-    PaperGrain _e146 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, 3, _e145);
-    float _e150 = bounded(1.0 - _e146.tone);
-    metal::float4 output = metal::mix(orange, metal::float4(0.9686, 0.9529, 0.9098, 1.0), _e150);
-    return output;
+    metal::float2 _e146 = look.viewport;
+    PaperGrain _e147 = paper_grain_3_(w_bare, _e36.place, _e36.stretch, 260.0, 0.62, 0.5, 3, _e146);
+    float _e156 = bounded(1.0 - _e147.tone);
+    metal::float4 white = metal::mix(orange, metal::float4(0.9686, 0.9529, 0.9098, 1.0), _e156);
+    return white;
 }
 
 struct vs_mainInput {
@@ -561,15 +488,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -594,24 +517,19 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e14.x;
-    metal::float4 _e21 = view.screen;
-    metal::float4 _e26 = view.screen;
-    surface.pixel = (in.clip.xy * _e21.xy) + _e26.zw;
-    metal::float4x4 _e32 = view.camera_from_world;
-    metal::float4 _e36 = object.world_from_object[3];
-    float _e45 = view.eye.w;
-    float _e50 = view.clip_from_world[0].y;
-    float _e55 = view.clip_from_world[1].y;
-    float _e60 = view.clip_from_world[2].y;
-    metal::float3 _e63 = anchor_on_screen((_e32 * metal::float4(_e36.xyz, 1.0)).xyz, _e45, metal::length(metal::float3(_e50, _e55, _e60)));
-    surface.anchor = _e63;
-    Surface _e64 = surface;
-    metal::float4 _e65 = shade(_e64, look);
-    return fs_mainOutput { _e65 };
+    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 _e17 = view.screen;
+    metal::float4 _e22 = view.screen;
+    metal::float4x4 _e27 = view.camera_from_world;
+    metal::float4 _e31 = object.world_from_object[3];
+    float _e40 = view.eye.w;
+    float _e45 = view.clip_from_world[0].y;
+    float _e50 = view.clip_from_world[1].y;
+    float _e55 = view.clip_from_world[2].y;
+    metal::float3 _e58 = anchor_on_screen((_e27 * metal::float4(_e31.xyz, 1.0)).xyz, _e40, metal::length(metal::float3(_e45, _e50, _e55)));
+    Surface surface_1 = Surface {normal, _e11.x, (in.clip.xy * _e17.xy) + _e22.zw, {}, _e58};
+    metal::float4 _e60 = shade(surface_1, look);
+    return fs_mainOutput { _e60 };
 }

@@ -62,7 +62,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
 /// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 fn log2_stable(x: f32) -> f32 {
@@ -87,14 +86,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -124,30 +115,6 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    let bits = bitcast<vec3u>(v);
-    let magnitude = bits & vec3u(0x7fffffffu);
-    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
-    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
-    return select(numbers, v, magnitude < vec3u(0x7f800000u));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -170,8 +137,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -232,8 +198,9 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
         }
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at)
-            + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
+        sum = sum + weight.x * weight.y * 0.5
+            * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
         continuing {
             i = i + 1;
         }
@@ -241,24 +208,27 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -277,10 +247,9 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
     let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -293,26 +262,8 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(120.0, 120.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_2(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(220.0, 220.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_3(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(260.0, 260.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -325,8 +276,8 @@ fn area_square(stretch: vec3f) -> f32 {
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -347,9 +298,9 @@ fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
     let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    var height = paper_octave(at.place, i32(zoom), w, 0.5, seed);
+    var height = paper_octave(at.place, i32(zoom), w, fiber, seed);
     if f > 0.0 {
-        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, 0.5, seed), f);
+        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fiber, seed), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
@@ -389,7 +340,7 @@ fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32,
 /// an object and does not swim through it.
 fn paper_grain_2(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height(spaced_2(place, stretch, viewport, count), fiber, 9u);
+    let height = paper_height(spaced(place, stretch, viewport, count), fiber, 9u);
     let ink = 1.0 - value;
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);
@@ -402,7 +353,7 @@ fn paper_grain_2(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f3
 /// an object and does not swim through it.
 fn paper_grain_3(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height(spaced_3(place, stretch, viewport, count), fiber, 3u);
+    let height = paper_height(spaced(place, stretch, viewport, count), fiber, 3u);
     let ink = 1.0 - max(value, 0.0);
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);
@@ -424,25 +375,28 @@ fn shade(surface: Surface) -> vec4f {
     let rubbed = mix(0.05, 0.5, min((tone - 0.0) / (0.6 - 0.0), 1.0));
     let r_bare = 1.0 - rubbed;
     let board = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    let r_grain = paper_grain(r_bare, board.place, board.stretch, 120.0, 0.6, 0.5, 5i, look.viewport);
+    let r_grain = paper_grain(r_bare, board.place, board.stretch, 120.0, 0.6, 0.5, 5i,
+        look.viewport);
     let r_on = bounded(1.0 - r_grain.tone);
-    let blue_gray = mix(vec4f(0.1216, 0.1647, 0.1686, 1.0), vec4f(0.4275, 0.5098, 0.5647, 1.0), r_on);
-    let turn = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let blue_gray = mix(vec4f(0.1216, 0.1647, 0.1686, 1.0), vec4f(0.4275, 0.5098, 0.5647, 1.0),
+        r_on);
+    let turn = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let orange_chalk = profile_balanced(turn, 0.0, orange_chalk_shape);
     let o_bare = 1.0 - orange_chalk;
-    let o_grain = paper_grain_2(o_bare, board.place, board.stretch, 220.0, 0.8, 0.5, 9i, look.viewport);
-    let o_on = bounded(1.0 - o_grain.tone);
-    let orange = mix(blue_gray, vec4f(0.9412, 0.6353, 0.3608, 1.0), o_on);
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow_to_bulge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.16);
+    let o_grain = paper_grain_2(o_bare, board.place, board.stretch, 220.0, 0.8, 0.5, 9i,
+        look.viewport);
+    let orange = mix(blue_gray, vec4f(0.9412, 0.6353, 0.3608, 1.0), bounded(1.0 - o_grain.tone));
+    let curvature = surface.kappa;
+    let hollow_to_bulge = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.16, -20.0, 20.0))));
     let bare_in_hollows = mix(0.1, 1.0, clamp((hollow_to_bulge - 0.15) / (0.5 - 0.15), 0.0, 1.0));
     let white_chalk = tone * bare_in_hollows;
     let w_bare = 1.0 - white_chalk;
-    let w_grain = paper_grain_3(w_bare, board.place, board.stretch, 260.0, 0.62, 0.5, 3i, look.viewport);
-    let w_on = bounded(1.0 - w_grain.tone);
-    let white = mix(orange, vec4f(0.9686, 0.9529, 0.9098, 1.0), w_on);
-    let output = white;
-    return output;
+    let w_grain = paper_grain_3(w_bare, board.place, board.stretch, 260.0, 0.62, 0.5, 3i,
+        look.viewport);
+    let white = mix(orange, vec4f(0.9686, 0.9529, 0.9098, 1.0), bounded(1.0 - w_grain.tone));
+    return white;
 }
 
 struct Vertex {
@@ -458,21 +412,17 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x, in.clip.xy
+        * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))));
+    return shade(surface);
 }

@@ -139,15 +139,24 @@ float exp2_stable(float x)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
+float exp2_stable_2_(float x_1)
+{
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = round(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float atan2_positive(float y, float x_1)
+float atan2_positive(float y, float x_2)
 {
-    float small = min(y, x_1);
-    float large = max(y, x_1);
+    float small = min(y, x_2);
+    float large = max(y, x_2);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -157,15 +166,15 @@ float atan2_positive(float y, float x_1)
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a_3 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_1) ? (HALF_PI - a_3) : a_3);
+    return ((y > x_2) ? (HALF_PI - a_3) : a_3);
 }
 
-float bounded(float x_2)
+float bounded(float x_3)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_3);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_1)
@@ -184,13 +193,6 @@ float divided(float a, float b)
     }
     const float _e7 = bounded((a / b));
     return _e7;
-}
-
-float exponential_of(float x_3)
-{
-    const float _e3 = bounded((x_3 * LOG2_E));
-    const float _e4 = exp2_stable(_e3);
-    return _e4;
 }
 
 float angle_of_point(float y_1, float x_4)
@@ -325,39 +327,38 @@ float4 mix_colors_screen(float4 a_2, float4 b_2, float factor)
     return float4(lerp(a_2.xyz, ((a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz)), factor), 1.0);
 }
 
-float kappa_safe(float kappa)
+float curvature_signed(float kappa, float slope)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope)
-{
-    float a_4 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
+    float a_4 = (kappa * slope);
     float magnitude_2 = min(abs(a_4), 50.0);
     if ((magnitude_2 < 0.0625)) {
         float a2_ = (a_4 * a_4);
         return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_2));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
+    const float _e22 = exp2_stable_2_((-2.88539 * magnitude_2));
+    float t_2 = ((1.0 - _e22) / (1.0 + _e22));
     return ((a_4 >= 0.0) ? t_2 : -(t_2));
 }
 
-float3 tensor_safe(float3 tensor)
+float curvature_signed_2_(float kappa_1, float slope_1)
 {
-    const float _e2 = kappa_safe(tensor.x);
-    const float _e4 = kappa_safe(tensor.y);
-    const float _e6 = kappa_safe(tensor.z);
-    return float3(_e2, _e4, _e6);
+    float a_5 = (min(kappa_1, 10000.0) * slope_1);
+    float magnitude_3 = min(a_5, 50.0);
+    if ((magnitude_3 < 0.0625)) {
+        float a2_1 = (a_5 * a_5);
+        return (a_5 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
+    }
+    const float _e23 = exp2_stable_2_((-2.88539 * magnitude_3));
+    float t_3 = ((1.0 - _e23) / (1.0 + _e23));
+    return t_3;
 }
 
-float2 principal_curvatures(float3 tensor_1)
+float2 principal_curvatures(float3 tensor)
 {
-    float mean = (0.5 * (tensor_1.x + tensor_1.z));
-    float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+    float mean = (0.5 * (tensor.x + tensor.z));
+    float spread = length(float2((0.5 * (tensor.x - tensor.z)), tensor.y));
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    const float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
     return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
@@ -387,20 +388,20 @@ float rim(Light light_2, float3 normal_1, float3 view, float width, float softne
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
     float side = dot((normal_1 - (dot(normal_1, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
 float radiance_scaled(float tone, float curved, float turning)
 {
-    const float _e3 = exponential_of(curved);
+    const float _e5 = exp2_stable((curved * LOG2_E));
     float dark = (turning * (1.0 - tone));
     float light_3 = (tone * (1.0 - turning));
-    return ((tone * ((_e3 * dark) + light_3)) / max((dark + (_e3 * light_3)), 1e-20));
+    return ((tone * ((_e5 * dark) + light_3)) / max((dark + (_e5 * light_3)), 1e-20));
 }
 
-float radiance_scaling(float tone_1, float kappa_2, float amount, float slope_1, float turning_1)
+float radiance_scaling(float tone_1, float kappa_2, float amount, float slope_2, float turning_1)
 {
-    const float _e5 = curvature_signed(kappa_2, slope_1);
+    const float _e5 = curvature_signed(kappa_2, slope_2);
     float curved_2 = (amount * _e5);
     const float _e7 = radiance_scaled(tone_1, curved_2, turning_1);
     return min(((curved_2 == 0.0) ? tone_1 : _e7), 1.0);
@@ -415,51 +416,60 @@ Relief ConstructRelief(float arg0, float arg1, float arg2, float arg3) {
     return ret;
 }
 
-Relief relief(float3 tensor_2, float slope_2)
+Relief relief(float3 tensor_1, float slope_3)
 {
-    const float3 _e2 = tensor_safe(tensor_2);
-    const float2 _e3 = principal_curvatures(_e2);
-    const float _e10 = angle_of_point((_e3.x + _e3.y), (_e3.x - _e3.y));
-    float curvedness = sqrt((0.5 * dot(_e3, _e3)));
-    const float _e15 = curvature_signed(curvedness, slope_2);
-    const Relief relief_1 = ConstructRelief((0.5 + (_e10 / PI)), _e15, _e3.x, _e3.y);
+    const float2 _e2 = principal_curvatures(tensor_1);
+    const float _e9 = angle_of_point((_e2.x + _e2.y), (_e2.x - _e2.y));
+    float curvedness = sqrt((0.5 * dot(_e2, _e2)));
+    const float _e14 = curvature_signed_2_(curvedness, slope_3);
+    const Relief relief_1 = ConstructRelief((0.5 + (_e9 / PI)), _e14, _e2.x, _e2.y);
     return relief_1;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
-    const float _e5 = reflectance_half_lambert(_e3, surface_1.normal);
-    const float _e10 = radiance_scaling(_e5, surface_1.kappa, 1.3, 0.03, 0.9);
+    const float _e5 = reflectance_half_lambert(_e3, surface.normal);
+    const float _e10 = radiance_scaling(_e5, surface.kappa, 1.3, 0.03, 0.9);
     const float4 _e12 = ramp_oklab(_e10, terracotta);
-    const Relief _e15 = relief(surface_1.curvature_tensor, 0.025);
+    const Relief _e15 = relief(surface.curvature_tensor, 0.025);
     const float4 _e18 = ramp_oklab(_e15.shape, pits_to_bumps);
     const float _e22 = soft_light(_e12.x, _e18.x);
     const float _e25 = soft_light(_e12.y, _e18.y);
     const float _e28 = soft_light(_e12.z, _e18.z);
-    const float _e31 = bounded(_e15.strength);
-    float4 slip_in_the_hollows = float4(lerp(_e12.xyz, float3(_e22, _e25, _e28), clamp(_e31, 0.0, 1.0)), 1.0);
-    Light _e40 = look.sky;
-    const float _e46 = rim(_e40, surface_1.normal, surface_1.view, 0.4, 0.9, 1.0);
-    const float4 _e52 = mix_colors_screen(slip_in_the_hollows, float4(0.3725, 0.498, 0.6588, 1.0), _e46);
-    return _e52;
+    float4 slip_in_the_hollows = float4(lerp(_e12.xyz, float3(_e22, _e25, _e28), clamp(_e15.strength, 0.0, 1.0)), 1.0);
+    Light _e39 = look.sky;
+    const float _e45 = rim(_e39, surface.normal, surface.view, 0.4, 0.9, 1.0);
+    const float4 _e51 = mix_colors_screen(slip_in_the_hollows, float4(0.3725, 0.498, 0.6588, 1.0), _e45);
+    return _e51;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2, float3 arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    ret.curvature_tensor = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -470,19 +480,13 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    float4 _e35 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.curvature_tensor = _e35.xyz;
-    Surface _e37 = surface;
-    const float4 _e38 = shade(_e37);
-    return _e38;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 _e30 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x, _e30.xyz);
+    const float4 _e33 = shade(surface_1);
+    return _e33;
 }

@@ -94,6 +94,16 @@ float exp2_stable(
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+float exp2_stable_2_(
+    float x_1
+) {
+    float clamped_1 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_1);
+    float f_1 = clamped_1 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
@@ -102,10 +112,10 @@ metal::float3 normalize_seen_balanced(
 
 float atan2_positive(
     float y,
-    float x_1
+    float x_2
 ) {
-    float small = metal::min(y, x_1);
-    float large = metal::max(y, x_1);
+    float small = metal::min(y, x_2);
+    float large = metal::max(y, x_2);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -115,16 +125,16 @@ float atan2_positive(
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a_3 = is_wide ? (series + 0.7853982) : series;
-    return (y > x_1) ? (HALF_PI - a_3) : a_3;
+    return (y > x_2) ? (HALF_PI - a_3) : a_3;
 }
 
 float bounded(
-    float x_2
+    float x_3
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_3);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
@@ -146,14 +156,6 @@ float divided(
     }
     float _e7 = bounded(a / b);
     return _e7;
-}
-
-float exponential_of(
-    float x_3
-) {
-    float _e3 = bounded(x_3 * LOG2_E);
-    float _e4 = exp2_stable(_e3);
-    return _e4;
 }
 
 float angle_of_point(
@@ -293,44 +295,43 @@ Color mix_colors_screen(
     return metal::float4(metal::mix(a_2.xyz, (a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz), factor), 1.0);
 }
 
-float kappa_safe(
-    float kappa
-) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
-}
-
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float a_4 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope;
+    float a_4 = kappa * slope;
     float magnitude_2 = metal::min(metal::abs(a_4), 50.0);
     if (magnitude_2 < 0.0625) {
         float a2_ = a_4 * a_4;
         return a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e32 = exp2_stable(-2.88539 * magnitude_2);
-    float t_2 = (1.0 - _e32) / (1.0 + _e32);
+    float _e22 = exp2_stable_2_(-2.88539 * magnitude_2);
+    float t_2 = (1.0 - _e22) / (1.0 + _e22);
     return (a_4 >= 0.0) ? t_2 : -(t_2);
 }
 
-metal::float3 tensor_safe(
-    metal::float3 tensor
+float curvature_signed_2_(
+    float kappa_1,
+    float slope_1
 ) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return metal::float3(_e2, _e4, _e6);
+    float a_5 = metal::min(kappa_1, 10000.0) * slope_1;
+    float magnitude_3 = metal::min(a_5, 50.0);
+    if (magnitude_3 < 0.0625) {
+        float a2_1 = a_5 * a_5;
+        return a_5 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254))))));
+    }
+    float _e23 = exp2_stable_2_(-2.88539 * magnitude_3);
+    float t_3 = (1.0 - _e23) / (1.0 + _e23);
+    return t_3;
 }
 
 metal::float2 principal_curvatures(
-    metal::float3 tensor_1
+    metal::float3 tensor
 ) {
-    float mean = 0.5 * (tensor_1.x + tensor_1.z);
-    float spread = metal::length(metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y));
+    float mean = 0.5 * (tensor.x + tensor.z);
+    float spread = metal::length(metal::float2(0.5 * (tensor.x - tensor.z), tensor.y));
     float far = mean + ((mean >= 0.0) ? spread : -(spread));
-    float _e26 = divided((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y), far);
+    float _e26 = divided((tensor.x * tensor.z) - (tensor.y * tensor.y), far);
     return (mean >= 0.0) ? metal::float2(far, _e26) : metal::float2(_e26, far);
 }
 
@@ -370,7 +371,7 @@ float rim(
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
     float side = metal::dot(normal_1 - (metal::dot(normal_1, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
 float radiance_scaled(
@@ -378,56 +379,54 @@ float radiance_scaled(
     float curved,
     float turning
 ) {
-    float _e3 = exponential_of(curved);
+    float _e5 = exp2_stable(curved * LOG2_E);
     float dark = turning * (1.0 - tone);
     float light_3 = tone * (1.0 - turning);
-    return (tone * ((_e3 * dark) + light_3)) / metal::max(dark + (_e3 * light_3), 0.00000000000000000001);
+    return (tone * ((_e5 * dark) + light_3)) / metal::max(dark + (_e5 * light_3), 0.00000000000000000001);
 }
 
 float radiance_scaling(
     float tone_1,
     float kappa_2,
     float amount,
-    float slope_1,
+    float slope_2,
     float turning_1
 ) {
-    float _e5 = curvature_signed(kappa_2, slope_1);
+    float _e5 = curvature_signed(kappa_2, slope_2);
     float curved_2 = amount * _e5;
     float _e7 = radiance_scaled(tone_1, curved_2, turning_1);
     return metal::min((curved_2 == 0.0) ? tone_1 : _e7, 1.0);
 }
 
 Relief relief(
-    metal::float3 tensor_2,
-    float slope_2
+    metal::float3 tensor_1,
+    float slope_3
 ) {
-    metal::float3 _e2 = tensor_safe(tensor_2);
-    metal::float2 _e3 = principal_curvatures(_e2);
-    float _e10 = angle_of_point(_e3.x + _e3.y, _e3.x - _e3.y);
-    float curvedness = metal::sqrt(0.5 * metal::dot(_e3, _e3));
-    float _e15 = curvature_signed(curvedness, slope_2);
-    return Relief {0.5 + (_e10 / PI), _e15, _e3.x, _e3.y};
+    metal::float2 _e2 = principal_curvatures(tensor_1);
+    float _e9 = angle_of_point(_e2.x + _e2.y, _e2.x - _e2.y);
+    float curvedness = metal::sqrt(0.5 * metal::dot(_e2, _e2));
+    float _e14 = curvature_signed_2_(curvedness, slope_3);
+    return Relief {0.5 + (_e9 / PI), _e14, _e2.x, _e2.y};
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
-    float _e5 = reflectance_half_lambert(_e3, surface_1.normal);
-    float _e10 = radiance_scaling(_e5, surface_1.kappa, 1.3, 0.03, 0.9);
+    float _e5 = reflectance_half_lambert(_e3, surface.normal);
+    float _e10 = radiance_scaling(_e5, surface.kappa, 1.3, 0.03, 0.9);
     Color _e12 = ramp_oklab(_e10, terracotta);
-    Relief _e15 = relief(surface_1.curvature_tensor, 0.025);
+    Relief _e15 = relief(surface.curvature_tensor, 0.025);
     Color _e18 = ramp_oklab(_e15.shape, pits_to_bumps);
     float _e22 = soft_light(_e12.x, _e18.x);
     float _e25 = soft_light(_e12.y, _e18.y);
     float _e28 = soft_light(_e12.z, _e18.z);
-    float _e31 = bounded(_e15.strength);
-    metal::float4 slip_in_the_hollows = metal::float4(metal::mix(_e12.xyz, metal::float3(_e22, _e25, _e28), metal::clamp(_e31, 0.0, 1.0)), 1.0);
-    Light _e40 = look.sky;
-    float _e46 = rim(_e40, surface_1.normal, surface_1.view, 0.4, 0.9, 1.0);
-    Color _e52 = mix_colors_screen(slip_in_the_hollows, metal::float4(0.3725, 0.498, 0.6588, 1.0), _e46);
-    return _e52;
+    metal::float4 slip_in_the_hollows = metal::float4(metal::mix(_e12.xyz, metal::float3(_e22, _e25, _e28), metal::clamp(_e15.strength, 0.0, 1.0)), 1.0);
+    Light _e39 = look.sky;
+    float _e45 = rim(_e39, surface.normal, surface.view, 0.4, 0.9, 1.0);
+    Color _e51 = mix_colors_screen(slip_in_the_hollows, metal::float4(0.3725, 0.498, 0.6588, 1.0), _e45);
+    return _e51;
 }
 
 struct vs_mainInput {
@@ -445,16 +444,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -480,18 +474,13 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(1)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    metal::float4 _e35 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.curvature_tensor = _e35.xyz;
-    Surface _e37 = surface;
-    metal::float4 _e38 = shade(_e37, look);
-    return fs_mainOutput { _e38 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 _e30 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x, _e30.xyz};
+    metal::float4 _e33 = shade(surface_1, look);
+    return fs_mainOutput { _e33 };
 }

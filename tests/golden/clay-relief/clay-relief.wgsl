@@ -83,6 +83,18 @@ fn exp2_stable(x: f32) -> f32 {
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -137,11 +149,6 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// e^x; 0 far below, the largest number from 88.73 on.
-fn exponential_of(x: f32) -> f32 {
-    return exp2_stable(bounded(x * LOG2_E));
-}
-
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
     // Coordinates are halved where they are large, so that the sum of both stays finite.
@@ -194,15 +201,15 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
-        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
-        -0.7034186147, 1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
-        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -244,31 +251,32 @@ fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
     return vec4f(mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
-        > 0x7f800000u) * slope;
+    let a = kappa * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
-            * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2
+            * (0.133333333333333333 - a2 * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.8853900817779268 * magnitude);
+    let z = exp2_stable_2(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
 
-/// Tensor fit for use: [`kappa_safe`] of each number.
-fn tensor_safe(tensor: vec3f) -> vec3f {
-    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
+/// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
+fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
+    let a = min(kappa, 1e4) * slope;
+    let magnitude = min(a, 50.0);
+    if magnitude < 0.0625 {
+        let a2 = a * a;
+        return a * (1.0 - a2 * (0.333333333333333333 - a2
+            * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+    }
+    let z = exp2_stable_2(-2.8853900817779268 * magnitude);
+    let t = (1.0 - z) / (1.0 + z);
+    return t;
 }
 
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
@@ -306,15 +314,15 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; the
 /// tone `turning` stays.
 fn radiance_scaled(tone: f32, curved: f32, turning: f32) -> f32 {
-    let e = exponential_of(curved);
+    let e = exp2_stable(curved * LOG2_E);
     let dark = turning * (1.0 - tone);
     let light = tone * (1.0 - turning);
     return tone * (e * dark + light) / max(dark + e * light, 1e-20);
@@ -334,10 +342,10 @@ fn radiance_scaling(tone: f32, kappa: f32, amount: f32, slope: f32, turning: f32
 /// What the surface does at a place, in two numbers for a Tone map or for ramps: its shape (pit,
 /// valley, saddle, ridge or bump) and how strongly it has it.
 fn relief(tensor: vec3f, slope: f32) -> Relief {
-    let k = principal_curvatures(tensor_safe(tensor));
+    let k = principal_curvatures(tensor);
     let around = angle_of_point(k.x + k.y, k.x - k.y);
     let curvedness = sqrt(0.5 * dot(k, k));
-    let strength = curvature_signed(curvedness, slope);
+    let strength = curvature_signed_2(curvedness, slope);
     return Relief(0.5 + around / PI, strength, k.x, k.y);
 }
 
@@ -362,11 +370,15 @@ fn shade(surface: Surface) -> vec4f {
     let terracotta_2 = ramp_oklab(worked_by_curvature, terracotta);
     let what_the_surface_does = relief(surface.curvature_tensor, 0.025);
     let pits_to_bumps_2 = ramp_oklab(what_the_surface_does.shape, pits_to_bumps);
-    let slip_in_the_hollows = vec4f(mix(terracotta_2.xyz, vec3f(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light(terracotta_2.y, pits_to_bumps_2.y), soft_light(terracotta_2.z, pits_to_bumps_2.z)), clamp(bounded(what_the_surface_does.strength), 0.0, 1.0)), 1.0);
+    let slip_in_the_hollows = vec4f(mix(terracotta_2.xyz,
+        vec3f(soft_light(terracotta_2.x, pits_to_bumps_2.x),
+        soft_light(terracotta_2.y, pits_to_bumps_2.y),
+        soft_light(terracotta_2.z, pits_to_bumps_2.z)),
+        clamp(what_the_surface_does.strength, 0.0, 1.0)), 1.0);
     let sky_along_the_edge = rim(look.sky, surface.normal, surface.view, 0.4, 0.9, 1.0);
-    let cool_edge = mix_colors_screen(slip_in_the_hollows, vec4f(0.3725, 0.498, 0.6588, 1.0), sky_along_the_edge);
-    let output = cool_edge;
-    return output;
+    let cool_edge = mix_colors_screen(slip_in_the_hollows, vec4f(0.3725, 0.498, 0.6588, 1.0),
+        sky_along_the_edge);
+    return cool_edge;
 }
 
 struct Vertex {
@@ -383,22 +395,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x,
+        textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz);
+    return shade(surface);
 }

@@ -50,7 +50,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
@@ -91,15 +90,10 @@ vec3 normalize_seen_balanced(vec3 v_1) {
 }
 
 vec2 sin_cos_quick(float x_1) {
-    float y_1 = (x_1 * x_1);
-    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x_1 * x_1);
+    float s_1 = (x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_1, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -127,8 +121,8 @@ float bounded(float x_2) {
 
 float eased(float x_3, float low, float high) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -152,10 +146,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
     float _e4 = length_of(along_x.xyz);
     float _e6 = length_of(along_y.xyz);
@@ -172,9 +162,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
     if ((abs(area) < 1e-6)) {
         return normal;
     }
-    vec3 slope_1 = (((rise.x * right) + (rise.y * up)) / vec3(area));
-    float steepness = length(slope_1);
-    vec3 limited = (slope_1 * (min(steepness, 10.0) / max(steepness, 1e-20)));
+    vec3 slope = (((rise.x * right) + (rise.y * up)) / vec3(area));
+    float steepness = length(slope);
+    vec3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
     vec3 _e50 = normalize_or((normal - limited), normal);
     return _e50;
 }
@@ -200,20 +190,14 @@ LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-}
-
-Angle parametrization_specular_balanced(Light light_2, vec3 normal_2, vec3 view) {
+Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
     vec3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    return Angle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+    return Angle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
@@ -376,64 +360,55 @@ float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughnes
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.09);
-    float shade_in_hollows_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(shade_in_hollows_convexity, vec4(0.851, 0.5412, 0.4, 1.0), vec4(0.6902, 0.3765, 0.2902, 1.0));
-    vec3 place_2 = surface_1.position_object;
-    float _e24 = noise_perlin(place_2, 2.6, 2, 0.4, 0);
-    vec3 _e28 = bump_map(_e24, 0.05, surface_1.normal, surface_1.position);
-    vec3 _e32 = u_look.window.direction;
-    vec3 _e40 = u_look.window.direction;
-    Angle body_angle = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
+vec4 shade(Surface surface) {
+    float shade_in_hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.09), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(shade_in_hollows_convexity, vec4(0.851, 0.5412, 0.4, 1.0), vec4(0.6902, 0.3765, 0.2902, 1.0));
+    float _e36 = noise_perlin(surface.position_object, 2.6, 2, 0.4, 0);
+    vec3 _e40 = bump_map(_e36, 0.05, surface.normal, surface.position);
+    vec3 _e44 = u_look.window.direction;
+    vec3 _e52 = u_look.window.direction;
+    Angle body_angle = Angle((0.5 * length((_e40 - _e44))), (0.5 * length((_e40 + _e52))));
     float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
-    float _e53 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e56 = u_look.window;
-    LitLayer _e57 = light_apply(_e56, _e18, _e53);
-    vec4 _e67 = blend_alpha(vec4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    vec4 _e75 = curvature_color(shade_in_hollows_convexity, vec4(1.0), vec4(0.7216, 0.4706, 0.4235, 1.0));
-    Light _e78 = u_look.window;
-    LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
-    vec4 shade_in_hollows_blend = clamp(vec4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e102 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float soft_sheen_convexity = (0.5 + (0.5 * _e102));
-    vec4 _e117 = curvature_color(soft_sheen_convexity, vec4(0.4157, 0.2353, 0.1804, 1.0), vec4(0.2902, 0.1412, 0.1216, 1.0));
-    vec3 _e121 = u_look.table.direction;
-    vec3 _e129 = u_look.table.direction;
-    Angle bounce_angle = Angle((0.5 * length((_e28 - _e121))), (0.5 * length((_e28 + _e129))));
+    float _e65 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e68 = u_look.window;
+    LitLayer _e69 = light_apply(_e68, _e30, _e65);
+    vec4 _e79 = blend_alpha(vec4(0.3529, 0.2, 0.1529, 1.0), _e69.color, _e69.tone, 1.0, true);
+    vec4 _e87 = curvature_color(shade_in_hollows_convexity, vec4(1.0), vec4(0.7216, 0.4706, 0.4235, 1.0));
+    Light _e90 = u_look.window;
+    LitLayer _e92 = light_apply(_e90, _e87, 1.0);
+    vec4 shade_in_hollows_blend = clamp(vec4((_e79.xyz + (0.8 * ((_e79.xyz * (_e92.tone * _e92.color.xyz)) - _e79.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float soft_sheen_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
+    vec4 _e141 = curvature_color(soft_sheen_convexity, vec4(0.4157, 0.2353, 0.1804, 1.0), vec4(0.2902, 0.1412, 0.1216, 1.0));
+    vec3 _e145 = u_look.table.direction;
+    vec3 _e153 = u_look.table.direction;
+    Angle bounce_angle = Angle((0.5 * length((_e40 - _e145))), (0.5 * length((_e40 + _e153))));
     float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
-    float _e142 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e145 = u_look.table;
-    LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    vec4 bounce_blend = clamp(vec4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e170 = curvature_color(soft_sheen_convexity, vec4(0.302, 0.2039, 0.1686, 1.0), vec4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e173 = u_look.window;
-    Angle _e175 = parametrization_specular_balanced(_e173, _e28, surface_1.view);
+    float _e166 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    Light _e169 = u_look.table;
+    LitLayer _e170 = light_apply(_e169, _e141, _e166);
+    vec4 bounce_blend = clamp(vec4((shade_in_hollows_blend.xyz + (_e170.tone * _e170.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e194 = curvature_color(soft_sheen_convexity, vec4(0.302, 0.2039, 0.1686, 1.0), vec4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e197 = u_look.window;
+    Angle _e199 = parametrization_specular_balanced(_e197, _e40, surface.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    float _e183 = profile_balanced(_e175, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e186 = u_look.window;
-    LitLayer _e187 = light_apply(_e186, _e170, _e183);
-    vec4 output_ = clamp(vec4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e207 = profile_balanced(_e199, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e210 = u_look.window;
+    LitLayer _e211 = light_apply(_e210, _e194, _e207);
+    vec4 soft_sheen_blend = clamp(vec4((bounce_blend.xyz + (_e211.tone * _e211.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return soft_sheen_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position = in_.position;
-    surface.position_object = in_.position_object;
-    vec4 _e31 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e31.x;
-    Surface _e33 = surface;
-    vec4 _e34 = shade(_e33);
-    out_color = _e34;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e25 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object, _e25.x);
+    vec4 _e28 = shade(surface_1);
+    out_color = _e28;
     return;
 }
 

@@ -94,7 +94,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
@@ -148,16 +147,10 @@ float3 normalize_seen_balanced(float3 v_1)
 
 float2 sin_cos_quick(float x_1)
 {
-    float y_1 = (x_1 * x_1);
-    float s_1 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x_1 * x_1);
+    float s_1 = (x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_1, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -197,8 +190,8 @@ float bounded(float x_2)
 float eased(float x_3, float low, float high)
 {
     const float _e3 = bounded(x_3);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -225,11 +218,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 {
     const float _e4 = length_of(along_x.xyz);
@@ -247,9 +235,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
     if ((abs(area) < 1e-6)) {
         return normal;
     }
-    float3 slope_1 = (((rise.x * right) + (rise.y * up)) / (area).xxx);
-    float steepness = length(slope_1);
-    float3 limited = (slope_1 * (min(steepness, 10.0) / max(steepness, 1e-20)));
+    float3 slope = (((rise.x * right) + (rise.y * up)) / (area).xxx);
+    float steepness = length(slope);
+    float3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
     const float3 _e50 = normalize_or((normal - limited), normal);
     return _e50;
 }
@@ -286,25 +274,17 @@ LitLayer light_apply(Light light, float4 color_1, float tone_1)
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-    return litlayer_1;
-}
-
-Angle parametrization_specular_balanced(Light light_2, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal_2, float3 view)
 {
     float3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+    const Angle angle_2 = ConstructAngle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
     return angle_2;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
@@ -493,64 +473,73 @@ float noise_perlin(float3 position_1, float scale_1, int octaves_1, float roughn
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.09);
-    float shade_in_hollows_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
-    float3 place_2 = surface_1.position_object;
-    const float _e24 = noise_perlin(place_2, 2.6, int(2), 0.4, int(0));
-    const float3 _e28 = bump_map(_e24, 0.05, surface_1.normal, surface_1.position);
-    float3 _e32 = look.window.direction;
-    float3 _e40 = look.window.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
+    float shade_in_hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.09), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
+    const float _e36 = noise_perlin(surface.position_object, 2.6, int(2), 0.4, int(0));
+    const float3 _e40 = bump_map(_e36, 0.05, surface.normal, surface.position);
+    float3 _e44 = look.window.direction;
+    float3 _e52 = look.window.direction;
+    Angle body_angle = ConstructAngle((0.5 * length((_e40 - _e44))), (0.5 * length((_e40 + _e52))));
     float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
-    const float _e53 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e56 = look.window;
-    const LitLayer _e57 = light_apply(_e56, _e18, _e53);
-    const float4 _e67 = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    const float4 _e75 = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
-    Light _e78 = look.window;
-    const LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
-    float4 shade_in_hollows_blend = clamp(float4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e102 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float soft_sheen_convexity = (0.5 + (0.5 * _e102));
-    const float4 _e117 = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
-    float3 _e121 = look.table.direction;
-    float3 _e129 = look.table.direction;
-    Angle bounce_angle = ConstructAngle((0.5 * length((_e28 - _e121))), (0.5 * length((_e28 + _e129))));
+    const float _e65 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e68 = look.window;
+    const LitLayer _e69 = light_apply(_e68, _e30, _e65);
+    const float4 _e79 = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), _e69.color, _e69.tone, 1.0, true);
+    const float4 _e87 = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
+    Light _e90 = look.window;
+    const LitLayer _e92 = light_apply(_e90, _e87, 1.0);
+    float4 shade_in_hollows_blend = clamp(float4((_e79.xyz + (0.8 * ((_e79.xyz * (_e92.tone * _e92.color.xyz)) - _e79.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float soft_sheen_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
+    const float4 _e141 = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
+    float3 _e145 = look.table.direction;
+    float3 _e153 = look.table.direction;
+    Angle bounce_angle = ConstructAngle((0.5 * length((_e40 - _e145))), (0.5 * length((_e40 + _e153))));
     float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
-    const float _e142 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e145 = look.table;
-    const LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e170 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e173 = look.window;
-    const Angle _e175 = parametrization_specular_balanced(_e173, _e28, surface_1.view);
+    const float _e166 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    Light _e169 = look.table;
+    const LitLayer _e170 = light_apply(_e169, _e141, _e166);
+    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (_e170.tone * _e170.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e194 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e197 = look.window;
+    const Angle _e199 = parametrization_specular_balanced(_e197, _e40, surface.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    const float _e183 = profile_balanced(_e175, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e186 = look.window;
-    const LitLayer _e187 = light_apply(_e186, _e170, _e183);
-    float4 output = clamp(float4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e207 = profile_balanced(_e199, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e210 = look.window;
+    const LitLayer _e211 = light_apply(_e210, _e194, _e207);
+    float4 soft_sheen_blend = clamp(float4((bounce_blend.xyz + (_e211.tone * _e211.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return soft_sheen_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position = arg2;
+    ret.position_object = arg3;
+    ret.kappa = arg4;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -561,19 +550,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position = in_.position;
-    surface.position_object = in_.position_object;
-    float4 _e31 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e31.x;
-    Surface _e33 = surface;
-    const float4 _e34 = shade(_e33);
-    return _e34;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e25 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object, _e25.x);
+    const float4 _e28 = shade(surface_1);
+    return _e28;
 }

@@ -70,7 +70,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 constant ProfileShape body_tone_shape = ProfileShape {0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u};
@@ -109,17 +108,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x_1
 ) {
-    float y_1 = x_1 * x_1;
-    float s_1 = x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x_1 * x_1;
+    float s_1 = x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_1, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -158,8 +150,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_2 = metal::clamp(_e7, 0.0, 1.0);
     return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
@@ -191,13 +183,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 metal::float3 bumped_normal(
     metal::float4 along_x,
     metal::float4 along_y,
@@ -218,9 +203,9 @@ metal::float3 bumped_normal(
     if (metal::abs(area) < 0.000001) {
         return normal;
     }
-    metal::float3 slope_1 = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
-    float steepness = metal::length(slope_1);
-    metal::float3 limited = slope_1 * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
+    metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
+    float steepness = metal::length(slope);
+    metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
     metal::float3 _e50 = normalize_or(normal - limited, normal);
     return _e50;
 }
@@ -261,22 +246,13 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_2,
-    float tone_2
-) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
-}
-
 Angle parametrization_specular_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal_2,
     metal::float3 view
 ) {
     metal::float3 d_1 = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
-    return Angle {0.5 * metal::length(d_1 - light_2.direction), 0.5 * metal::length(d_1 + light_2.direction)};
+    return Angle {0.5 * metal::length(d_1 - light_1.direction), 0.5 * metal::length(d_1 + light_1.direction)};
 }
 
 float profile_soft_quick(
@@ -284,8 +260,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -497,47 +472,44 @@ float noise_perlin(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.09);
-    float shade_in_hollows_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(shade_in_hollows_convexity, metal::float4(0.851, 0.5412, 0.4, 1.0), metal::float4(0.6902, 0.3765, 0.2902, 1.0));
-    metal::float3 place_2 = surface_1.position_object;
-    float _e24 = noise_perlin(place_2, 2.6, 2, 0.4, 0);
-    metal::float3 _e28 = bump_map(_e24, 0.05, surface_1.normal, surface_1.position);
-    metal::float3 _e32 = look.window.direction;
-    metal::float3 _e40 = look.window.direction;
-    Angle body_angle = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
+    float shade_in_hollows_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.09, -20.0, 20.0))))));
+    Color _e30 = curvature_color(shade_in_hollows_convexity, metal::float4(0.851, 0.5412, 0.4, 1.0), metal::float4(0.6902, 0.3765, 0.2902, 1.0));
+    float _e36 = noise_perlin(surface.position_object, 2.6, 2, 0.4, 0);
+    metal::float3 _e40 = bump_map(_e36, 0.05, surface.normal, surface.position);
+    metal::float3 _e44 = look.window.direction;
+    metal::float3 _e52 = look.window.direction;
+    Angle body_angle = Angle {0.5 * metal::length(_e40 - _e44), 0.5 * metal::length(_e40 + _e52)};
     float body_warp = ((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2;
-    float _e53 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e56 = look.window;
-    LitLayer _e57 = light_apply(_e56, _e18, _e53);
-    Composite _e67 = blend_alpha(metal::float4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    Color _e75 = curvature_color(shade_in_hollows_convexity, metal::float4(1.0), metal::float4(0.7216, 0.4706, 0.4235, 1.0));
-    Light _e78 = look.window;
-    LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
-    metal::float4 shade_in_hollows_blend = metal::clamp(metal::float4(_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e102 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float soft_sheen_convexity = 0.5 + (0.5 * _e102);
-    Color _e117 = curvature_color(soft_sheen_convexity, metal::float4(0.4157, 0.2353, 0.1804, 1.0), metal::float4(0.2902, 0.1412, 0.1216, 1.0));
-    metal::float3 _e121 = look.table.direction;
-    metal::float3 _e129 = look.table.direction;
-    Angle bounce_angle = Angle {0.5 * metal::length(_e28 - _e121), 0.5 * metal::length(_e28 + _e129)};
+    float _e65 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e68 = look.window;
+    LitLayer _e69 = light_apply(_e68, _e30, _e65);
+    Composite _e79 = blend_alpha(metal::float4(0.3529, 0.2, 0.1529, 1.0), _e69.color, _e69.tone, 1.0, true);
+    Color _e87 = curvature_color(shade_in_hollows_convexity, metal::float4(1.0), metal::float4(0.7216, 0.4706, 0.4235, 1.0));
+    Light _e90 = look.window;
+    LitLayer _e92 = light_apply(_e90, _e87, 1.0);
+    metal::float4 shade_in_hollows_blend = metal::clamp(metal::float4(_e79.xyz + (0.8 * ((_e79.xyz * (_e92.tone * _e92.color.xyz)) - _e79.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float soft_sheen_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))))));
+    Color _e141 = curvature_color(soft_sheen_convexity, metal::float4(0.4157, 0.2353, 0.1804, 1.0), metal::float4(0.2902, 0.1412, 0.1216, 1.0));
+    metal::float3 _e145 = look.table.direction;
+    metal::float3 _e153 = look.table.direction;
+    Angle bounce_angle = Angle {0.5 * metal::length(_e40 - _e145), 0.5 * metal::length(_e40 + _e153)};
     float bounce_warp = ((2.0 * soft_sheen_convexity) - 1.0) * 0.15;
-    float _e142 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e145 = look.table;
-    LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e170 = curvature_color(soft_sheen_convexity, metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e173 = look.window;
-    Angle _e175 = parametrization_specular_balanced(_e173, _e28, surface_1.view);
+    float _e166 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    Light _e169 = look.table;
+    LitLayer _e170 = light_apply(_e169, _e141, _e166);
+    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz + (_e170.tone * _e170.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e194 = curvature_color(soft_sheen_convexity, metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e197 = look.window;
+    Angle _e199 = parametrization_specular_balanced(_e197, _e40, surface.view);
     float soft_sheen_warp = ((2.0 * soft_sheen_convexity) - 1.0) * 0.1;
-    float _e183 = profile_balanced(_e175, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e186 = look.window;
-    LitLayer _e187 = light_apply(_e186, _e170, _e183);
-    metal::float4 output = metal::clamp(metal::float4(bounce_blend.xyz + (_e187.tone * _e187.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e207 = profile_balanced(_e199, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e210 = look.window;
+    LitLayer _e211 = light_apply(_e210, _e194, _e207);
+    metal::float4 soft_sheen_blend = metal::clamp(metal::float4(bounce_blend.xyz + (_e211.tone * _e211.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return soft_sheen_blend;
 }
 
 struct vs_mainInput {
@@ -556,17 +528,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -592,18 +558,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    metal::float4 _e31 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e31.x;
-    Surface _e33 = surface;
-    metal::float4 _e34 = shade(_e33, look);
-    return fs_mainOutput { _e34 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e25 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position, in.position_object, _e25.x};
+    metal::float4 _e28 = shade(surface_1, look);
+    return fs_mainOutput { _e28 };
 }

@@ -66,7 +66,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -107,14 +106,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -149,7 +140,7 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -175,12 +166,6 @@ fn footprint_of_vec3(v: vec3f) -> f32 {
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -232,15 +217,6 @@ fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
-}
-
 struct LitLayer {
     /// The color under this light.
     color: Color,
@@ -275,8 +251,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -394,34 +369,46 @@ const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let shade_in_hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.09);
-    let body_color = curvature_color(shade_in_hollows_convexity, vec4f(0.851, 0.5412, 0.4, 1.0), vec4f(0.6902, 0.3765, 0.2902, 1.0));
-    let place = surface.position_object;
-    let finger_marks = noise_perlin(place, 2.6, 2i, 0.4, 0i);
+    let shade_in_hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.09, -20.0, 20.0))));
+    let body_color = curvature_color(shade_in_hollows_convexity, vec4f(0.851, 0.5412, 0.4, 1.0),
+        vec4f(0.6902, 0.3765, 0.2902, 1.0));
+    let finger_marks = noise_perlin(surface.position_object, 2.6, 2i, 0.4, 0i);
     let skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
-    let body_angle = Angle(0.5 * length(skin - look.window.direction), 0.5 * length(skin + look.window.direction));
+    let body_angle = Angle(0.5 * length(skin - look.window.direction), 0.5
+        * length(skin + look.window.direction));
     let body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
     let body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.window, body_color, body_tone);
-    let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
-    let shade_in_hollows_lit = light_apply_2(look.window, shade_in_hollows_color, 1.0);
-    let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8 * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz) - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let soft_sheen_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.15);
-    let bounce_color = curvature_color(soft_sheen_convexity, vec4f(0.4157, 0.2353, 0.1804, 1.0), vec4f(0.2902, 0.1412, 0.1216, 1.0));
-    let bounce_angle = Angle(0.5 * length(skin - look.table.direction), 0.5 * length(skin + look.table.direction));
+    let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
+    let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0),
+        vec4f(0.7216, 0.4706, 0.4235, 1.0));
+    let shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
+    let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8
+        * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)
+        - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let soft_sheen_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.15, -20.0, 20.0))));
+    let bounce_color = curvature_color(soft_sheen_convexity, vec4f(0.4157, 0.2353, 0.1804, 1.0),
+        vec4f(0.2902, 0.1412, 0.1216, 1.0));
+    let bounce_angle = Angle(0.5 * length(skin - look.table.direction), 0.5
+        * length(skin + look.table.direction));
     let bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
     let bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
-    let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + bounce_lit.tone * bounce_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0), vec4f(0.1647, 0.102, 0.0863, 1.0));
+    let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + bounce_lit.tone
+        * bounce_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0),
+        vec4f(0.1647, 0.102, 0.0863, 1.0));
     let soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
     let soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
-    let soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    let soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp,
+        soft_sheen_tone_shape);
     let soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
-    let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + soft_sheen_lit.tone * soft_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = soft_sheen_blend;
-    return output;
+    let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + soft_sheen_lit.tone
+        * soft_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    return soft_sheen_blend;
 }
 
 struct Vertex {
@@ -439,24 +426,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position), in.position,
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

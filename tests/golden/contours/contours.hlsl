@@ -114,24 +114,10 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float3 normalize_or(float3 v, float3 otherwise)
-{
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return otherwise;
-    }
-    float3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
 float3 normalize_seen_balanced(float3 v_1)
@@ -139,12 +125,12 @@ float3 normalize_seen_balanced(float3 v_1)
     return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float bounded(float x_1)
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b)
@@ -156,26 +142,26 @@ float divided(float a, float b)
     return _e7;
 }
 
-float footprint_of(float x_2)
+float footprint_of(float x_1)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
+    float _e1 = ddx(x_1);
+    float _e2 = ddy(x_1);
     float2 d = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_3)
+float footprint_of_2_(float x_2)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float step_filtered(float x_4, float edge, float w)
+float step_filtered(float x_3, float edge, float w)
 {
-    float d_2 = (x_4 - edge);
+    float d_2 = (x_3 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
@@ -183,7 +169,7 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_5, float w_1)
+float4 ramp_at(Ramp ramp, float x_4, float w_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -215,33 +201,19 @@ float4 ramp_at(Ramp ramp, float x_5, float w_1)
         float4 _e24 = colors[min(uint((_e20 - 1u)), 15u)];
         uint _e27 = i;
         float _e31 = places[0][min(uint(naga_mod(_e27, 4u)), 3u)];
-        const float _e32 = step_filtered(x_5, _e31, w_1);
+        const float _e32 = step_filtered(x_4, _e31, w_1);
         color = (_e16 + ((_e19 - _e24) * _e32));
     }
     float4 _e38 = color;
     return _e38;
 }
 
-float kappa_safe(float kappa)
+float2 principal_curvatures(float3 tensor)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float3 tensor_safe(float3 tensor)
-{
-    const float _e2 = kappa_safe(tensor.x);
-    const float _e4 = kappa_safe(tensor.y);
-    const float _e6 = kappa_safe(tensor.z);
-    return float3(_e2, _e4, _e6);
-}
-
-float2 principal_curvatures(float3 tensor_1)
-{
-    float mean = (0.5 * (tensor_1.x + tensor_1.z));
-    float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+    float mean = (0.5 * (tensor.x + tensor.z));
+    float spread = length(float2((0.5 * (tensor.x - tensor.z)), tensor.y));
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    const float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
     return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
@@ -251,15 +223,14 @@ float reflectance_half_lambert(Light light, float3 normal)
     return min((half_ * half_), 1.0);
 }
 
-float inner_contour_suggestive(float width, float limit, float softness, float3 tensor_2, float3 normal_1, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
+float inner_contour_suggestive(float width, float limit, float softness, float3 tensor_1, float3 normal_1, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
 {
     float3 n = mul(normal_1, camera_from_world);
-    const float3 _e10 = tensor_safe(tensor_2);
     float square_1 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
-    float _e36 = ddx(radial);
-    float _e37 = ddy(radial);
-    float2 change = float2(_e36, _e37);
+    float radial = (((((tensor_1.x * n.x) * n.x) + (((2.0 * tensor_1.y) * n.x) * n.y)) + ((tensor_1.z * n.y) * n.y)) / max(square_1, 1e-6));
+    float _e35 = ddx(radial);
+    float _e36 = ddy(radial);
+    float2 change = float2(_e35, _e36);
     float3 v_2 = mul(view, camera_from_world);
     float3 row = ddy(place);
     float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
@@ -267,69 +238,79 @@ float inner_contour_suggestive(float width, float limit, float softness, float3 
     float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float x_7 = ((toward_eye * height) * 0.05);
-    const float _e79 = bounded(x_7);
-    const float _e82 = footprint_of(x_7);
-    float strength = clamp((0.5 + ((_e79 - 22.0) / length(float2(min(_e82, 1000000000000000.0), 22.0)))), 0.0, 1.0);
+    float x_6 = ((toward_eye * height) * 0.05);
+    const float _e79 = footprint_of(x_6);
+    float strength = clamp((0.5 + ((x_6 - limit) / length(float2(min(_e79, 1000000000000000.0), 22.0)))), 0.0, 1.0);
     return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal_1, view)));
 }
 
-float faded_in(float x_6, float limit_1, float softness_1)
+float faded_in(float x_5, float limit_1, float softness_1)
 {
-    const float _e3 = footprint_of(x_6);
+    const float _e3 = footprint_of(x_5);
     float width_2 = length(float2(min(_e3, 1000000000000000.0), 45.0));
-    const float _e9 = bounded(x_6);
-    const float _e12 = bounded((_e9 - 45.0));
-    return clamp((0.5 + (_e12 / width_2)), 0.0, 1.0);
+    const float _e9 = bounded(x_5);
+    const float _e11 = bounded((_e9 - limit_1));
+    return clamp((0.5 + (_e11 / width_2)), 0.0, 1.0);
 }
 
 float outer_contour(float width_1, float3 normal_2, float3 view_1, float2 viewport_1)
 {
     float facing = clamp(dot(normal_2, view_1), 0.0, 1.0);
-    float pixels_1 = ((5.0 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
-    const float _e16 = footprint_of_2_(facing);
-    float distance_1 = (facing / max((2.0 * _e16), 1e-6));
+    float pixels_1 = ((width_1 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of_2_(facing);
+    float distance_1 = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels_1 + 0.5) - distance_1), 0.0, min(pixels_1, 1.0)) * near);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float3 _e3 = normalize_or(surface_1.smooth_normal_4_, surface_1.normal);
+    const float3 _e3 = normalize_moderate(surface.smooth_normal_4_, surface.normal);
     Light _e6 = look.key;
     const float _e7 = reflectance_half_lambert(_e6, _e3);
     const float _e9 = footprint_of_2_(_e7);
     const float4 _e10 = ramp_at(three_washes, _e7, _e9);
-    const float3 _e12 = tensor_safe(surface_1.curvature_tensor);
-    const float2 _e13 = principal_curvatures(_e12);
-    const float _e18 = faded_in(-(_e13.y), 45.0, 1.0);
-    float hollows = (_e18 * smoothstep(0.05, 0.3, dot(surface_1.normal, surface_1.view)));
+    const float2 _e12 = principal_curvatures(surface.curvature_tensor);
+    const float _e17 = faded_in(-(_e12.y), 45.0, 1.0);
+    float hollows = (_e17 * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
     float4 hollows_in_sepia = lerp(_e10, float4(0.6588, 0.5294, 0.4235, 1.0), hollows);
-    float3x3 _e40 = look.camera_from_world;
-    float2 _e44 = look.viewport;
-    const float _e45 = inner_contour_suggestive(3.0, 22.0, 1.0, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e40, surface_1.position_camera, _e44);
-    float2 _e51 = look.viewport;
-    const float _e52 = outer_contour(5.0, surface_1.normal, surface_1.view, _e51);
-    float all_lines = max(_e45, _e52);
-    float4 output = lerp(hollows_in_sepia, float4(0.1647, 0.1412, 0.1882, 1.0), all_lines);
-    return output;
+    float3x3 _e39 = look.camera_from_world;
+    float2 _e43 = look.viewport;
+    const float _e44 = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e39, surface.position_camera, _e43);
+    float2 _e50 = look.viewport;
+    const float _e51 = outer_contour(5.0, surface.normal, surface.view, _e50);
+    float all_lines = max(_e44, _e51);
+    float4 ink = lerp(hollows_in_sepia, float4(0.1647, 0.1412, 0.1882, 1.0), all_lines);
+    return ink;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_camera = arg2;
+    ret.curvature_tensor = arg3;
+    ret.smooth_normal_4_ = arg4;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -340,22 +321,15 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4x4 _e24 = view_2.camera_from_world;
-    surface.position_camera = mul(float4(in_.position, 1.0), _e24).xyz;
-    float4 _e36 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.curvature_tensor = _e36.xyz;
-    float4 _e44 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e50 = view_2.camera_from_world;
-    surface.smooth_normal_4_ = mul(_e50, float4(_e44.xyz, 0.0)).xyz;
-    Surface _e53 = surface;
-    const float4 _e54 = shade(_e53);
-    return _e54;
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    float4x4 _e20 = view_2.camera_from_world;
+    float4 _e31 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 _e38 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e44 = view_2.camera_from_world;
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), mul(float4(in_.position, 1.0), _e20).xyz, _e31.xyz, mul(_e44, float4(_e38.xyz, 0.0)).xyz);
+    const float4 _e48 = shade(surface_1);
+    return _e48;
 }

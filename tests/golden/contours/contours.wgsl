@@ -70,27 +70,11 @@ struct Ramp {
     interpolation: u32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -154,18 +138,6 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     return color;
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
-/// Tensor fit for use: [`kappa_safe`] of each number.
-fn tensor_safe(tensor: vec3f) -> vec3f {
-    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
-}
-
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
@@ -189,9 +161,9 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
 fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
     view: vec3f, camera_from_world: mat3x3f, place: vec3f, viewport: vec2f) -> f32 {
     let n = camera_from_world * normal;
-    let h = tensor_safe(tensor);
     let square = dot(n.xy, n.xy);
-    let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
+    let radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
     let v = camera_from_world * view;
     let row = dpdy(place);
@@ -201,16 +173,16 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
     let pixels = 1.5 * height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
     let x = toward_eye * height * 0.05;
-    let strength = clamp(0.5 + (bounded(x) - 22.0) / length(vec2f(min(footprint_of(x), 1e15),
-        22.0)), 0.0, 1.0);
-    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength * smoothstep(0.05, 0.3,
-        dot(normal, view));
+    let strength = clamp(0.5 + (x - limit) / length(vec2f(min(footprint_of(x), 1e15), 22.0)), 0.0,
+        1.0);
+    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength
+        * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
 /// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let width = length(vec2f(min(footprint_of(x), 1e15), 45.0));
-    return clamp(0.5 + bounded(bounded(x) - 45.0) / width, 0.0, 1.0);
+    return clamp(0.5 + bounded(bounded(x) - limit) / width, 0.0, 1.0);
 }
 
 /// Outer contour
@@ -219,7 +191,7 @@ fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normal, view), 0.0, 1.0);
-    let pixels = 5.0 * clamp(viewport.y, 1.0, 1e5) / 1000.0;
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of_2(facing), 1e-6);
     let near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
@@ -229,17 +201,19 @@ const three_washes = Ramp(array(vec4f(0.7255, 0.7686, 0.8118, 1.0), vec4f(0.8627
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let broad_forms = normalize_or(surface.smooth_normal_4, surface.normal);
+    let broad_forms = normalize_moderate(surface.smooth_normal_4, surface.normal);
     let light_and_dark = reflectance_half_lambert(look.key, broad_forms);
     let three_washes_2 = ramp_at(three_washes, light_and_dark, footprint_of_2(light_and_dark));
-    let hollows = faded_in(-principal_curvatures(tensor_safe(surface.curvature_tensor)).y, 45.0, 1.0) * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
+    let hollows = faded_in(-principal_curvatures(surface.curvature_tensor).y, 45.0, 1.0)
+        * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
     let hollows_in_sepia = mix(three_washes_2, vec4f(0.6588, 0.5294, 0.4235, 1.0), hollows);
-    let inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    let inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor,
+        surface.normal, surface.view, look.camera_from_world, surface.position_camera,
+        look.viewport);
     let outline = outer_contour(5.0, surface.normal, surface.view, look.viewport);
     let all_lines = max(inner_lines, outline);
     let ink = mix(hollows_in_sepia, vec4f(0.1647, 0.1412, 0.1882, 1.0), all_lines);
-    let output = ink;
-    return output;
+    return ink;
 }
 
 struct Vertex {
@@ -256,23 +230,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_camera = (view.camera_from_world * vec4f(in.position, 1.0)).xyz;
-    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
-    surface.smooth_normal_4 = (vec4f(textureLoad(smooth_normal_4_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        (view.camera_from_world * vec4f(in.position, 1.0)).xyz,
+        textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz,
+        (vec4f(textureLoad(smooth_normal_4_map, vec2i(in.clip.xy), 0).xyz, 0.0)
+        * view.camera_from_world).xyz);
+    return shade(surface);
 }

@@ -140,8 +140,7 @@ float profile_soft_quick(float s, ProfileShape shape_1) {
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
     float q_1 = (s_1 * shape_2.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
@@ -211,10 +210,10 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_8) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle body_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = u_look.body_tone_shape;
     float _e24 = profile_balanced(body_angle, 0.0, _e23);
     Light _e27 = u_look.key;
@@ -227,7 +226,7 @@ vec4 shade(Surface surface_1) {
     float _e60 = u_look.shadow.w;
     vec4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
     Light _e71 = u_look.key;
-    Angle _e74 = parametrization_specular_balanced(_e71, surface_1.normal, surface_1.view);
+    Angle _e74 = parametrization_specular_balanced(_e71, surface.normal, surface.view);
     float _e77 = profile_balanced_2_(_e74, 0.0, highlight_tone_shape);
     Light _e80 = u_look.key;
     vec4 _e83 = u_look.highlight_color_convex;
@@ -235,7 +234,7 @@ vec4 shade(Surface surface_1) {
     vec4 _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.8, true);
     vec3 _e94 = u_look.back.direction;
     vec3 _e103 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e94))), (0.5 * length((surface.normal + _e103))));
     ProfileShape _e112 = u_look.back_light_tone_shape;
     float _e113 = profile_balanced(back_light_angle, 0.0, _e112);
     Light _e116 = u_look.back;
@@ -249,17 +248,14 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    vec4 _e23 = finite_vec4_(_e22);
-    out_color = _e23;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    vec4 _e20 = finite_vec4_(_e19);
+    out_color = _e20;
     return;
 }
 

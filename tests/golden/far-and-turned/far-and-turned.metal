@@ -198,8 +198,7 @@ float profile_soft_quick_2_(
     ProfileShape shape_2
 ) {
     float q_1 = s_1 * shape_2.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
+    return (s_1 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_1 * q_1), 0.0), shape_2.exponent);
 }
 
 float profile_ramp_quick(
@@ -294,12 +293,12 @@ float profile_balanced_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     ProfileShape _e23 = look.body_tone_shape;
     float _e24 = profile_balanced(body_angle, 0.0, _e23);
     Light _e27 = look.key;
@@ -312,7 +311,7 @@ metal::float4 shade(
     float _e60 = look.shadow.w;
     Composite _e68 = blend_finish(_e34, _e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz)), _e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60)), _e31.color.w, true);
     Light _e71 = look.key;
-    Angle _e74 = parametrization_specular_balanced(_e71, surface_1.normal, surface_1.view);
+    Angle _e74 = parametrization_specular_balanced(_e71, surface.normal, surface.view);
     float _e77 = profile_balanced_2_(_e74, 0.0, highlight_tone_shape);
     Light _e80 = look.key;
     metal::float4 _e83 = look.highlight_color_convex;
@@ -320,7 +319,7 @@ metal::float4 shade(
     Composite _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.8, true);
     metal::float3 _e94 = look.back.direction;
     metal::float3 _e103 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e94), 0.5 * metal::length(surface_1.normal + _e103)};
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e94), 0.5 * metal::length(surface.normal + _e103)};
     ProfileShape _e112 = look.back_light_tone_shape;
     float _e113 = profile_balanced(back_light_angle, 0.0, _e112);
     Light _e116 = look.back;
@@ -346,16 +345,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -375,15 +369,12 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    metal::float4 _e23 = finite_vec4_(_e22);
-    return fs_mainOutput { _e23 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    metal::float4 _e20 = finite_vec4_(_e19);
+    return fs_mainOutput { _e20 };
 }

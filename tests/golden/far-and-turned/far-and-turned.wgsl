@@ -197,8 +197,7 @@ fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -277,19 +276,26 @@ const highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.187
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, look.body_tone_shape);
     let body_lit = light_apply(look.key, look.body_color_convex, body_tone);
-    let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w * (1.0 - look.shadow.w), body_lit.color.w, true);
+    let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone
+        * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w
+        * (1.0 - look.shadow.w), body_lit.color.w, true);
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_tone = profile_balanced_2(highlight_angle, 0.0, highlight_tone_shape);
     let highlight_lit = light_apply(look.key, look.highlight_color_convex, highlight_tone);
-    let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.8, true);
-    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.8,
+        true);
+    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, look.back_light_color_convex, back_light_tone);
-    let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
-    let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w, back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
+    let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
+    let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w,
+        back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
     return output;
 }
 
@@ -307,20 +313,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return finite_vec4(shade(surface));
 }

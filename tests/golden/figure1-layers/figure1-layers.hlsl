@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape diffuse_tone_shape = ConstructProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u);
 static const ProfileShape specular_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u);
 static const ProfileShape back_light_tone_shape = ConstructProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5, 0.40960917, 0.16836384, 0u);
@@ -119,16 +118,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -162,14 +155,14 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -179,32 +172,24 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
-    return litlayer_1;
-}
-
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
     return angle_3;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -266,62 +251,69 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float fill_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(fill_convexity, float4(0.0863, 0.0745, 0.1216, 1.0), float4(0.0314, 0.0235, 0.051, 1.0));
-    Light _e21 = look.key;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.0824, 0.0745, 0.1098) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e42 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float back_light_convexity = (0.5 + (0.5 * _e42));
-    const float4 _e57 = curvature_color(back_light_convexity, float4(0.7098, 0.4, 0.1804, 1.0), float4(0.4314, 0.1647, 0.1176, 1.0));
-    float3 _e62 = look.key.direction;
-    float3 _e71 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e62))), (0.5 * length((surface_1.normal + _e71))));
-    float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.25);
-    const float _e84 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e87 = look.key;
-    const LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
-    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e104 = curvature_signed_balanced_2_(surface_1.kappa, 0.15);
-    float specular_convexity = (0.5 + (0.5 * _e104));
-    const float4 _e119 = curvature_color(specular_convexity, float4(0.9098, 0.851, 0.7216, 1.0), float4(0.5412, 0.3608, 0.251, 1.0));
-    Light _e122 = look.key;
-    const Angle _e125 = parametrization_specular_balanced(_e122, surface_1.normal, surface_1.view);
-    float specular_warp = (((2.0 * specular_convexity) - 1.0) * 0.1);
-    const float _e133 = profile_balanced_2_(_e125, specular_warp, specular_tone_shape);
-    Light _e136 = look.key;
-    const LitLayer _e137 = light_apply_2_(_e136, _e119, _e133);
-    float4 specular_blend = clamp(float4((diffuse_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e161 = curvature_color(back_light_convexity, float4(0.3098, 0.5255, 0.7216, 1.0), float4(0.1294, 0.2706, 0.4314, 1.0));
-    float3 _e166 = look.back.direction;
-    float3 _e175 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e166))), (0.5 * length((surface_1.normal + _e175))));
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    const float _e188 = profile_balanced(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e191 = look.back;
-    const LitLayer _e192 = light_apply_2_(_e191, _e161, _e188);
-    float4 output = clamp(float4((specular_blend.xyz + (_e192.tone * _e192.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e3 = transition_balanced(surface.kappa, 0.25);
+    const float4 _e14 = curvature_color(_e3, float4(0.0863, 0.0745, 0.1216, 1.0), float4(0.0314, 0.0235, 0.051, 1.0));
+    Light _e17 = look.key;
+    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    const float4 _e29 = blend_add(float4(0.0824, 0.0745, 0.1098, 1.0), _e19.color, _e19.tone, 1.0, true);
+    const float _e32 = transition_balanced(surface.kappa, 0.2);
+    const float4 _e43 = curvature_color(_e32, float4(0.7098, 0.4, 0.1804, 1.0), float4(0.4314, 0.1647, 0.1176, 1.0));
+    float3 _e48 = look.key.direction;
+    float3 _e57 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - _e48))), (0.5 * length((surface.normal + _e57))));
+    float diffuse_warp = (((2.0 * _e32) - 1.0) * 0.25);
+    const float _e70 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e73 = look.key;
+    const LitLayer _e74 = light_apply(_e73, _e43, _e70);
+    const float4 _e79 = blend_add(_e29, _e74.color, _e74.tone, 1.0, true);
+    const float _e82 = transition_balanced(surface.kappa, 0.15);
+    const float4 _e93 = curvature_color(_e82, float4(0.9098, 0.851, 0.7216, 1.0), float4(0.5412, 0.3608, 0.251, 1.0));
+    Light _e96 = look.key;
+    const Angle _e99 = parametrization_specular_balanced(_e96, surface.normal, surface.view);
+    float specular_warp = (((2.0 * _e82) - 1.0) * 0.1);
+    const float _e107 = profile_balanced_2_(_e99, specular_warp, specular_tone_shape);
+    Light _e110 = look.key;
+    const LitLayer _e111 = light_apply(_e110, _e93, _e107);
+    const float4 _e116 = blend_add(_e79, _e111.color, _e111.tone, 1.0, true);
+    const float4 _e127 = curvature_color(_e32, float4(0.3098, 0.5255, 0.7216, 1.0), float4(0.1294, 0.2706, 0.4314, 1.0));
+    float3 _e132 = look.back.direction;
+    float3 _e141 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e132))), (0.5 * length((surface.normal + _e141))));
+    float back_light_warp = (((2.0 * _e32) - 1.0) * 0.15);
+    const float _e154 = profile_balanced(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e157 = look.back;
+    const LitLayer _e158 = light_apply(_e157, _e127, _e154);
+    const float4 _e163 = blend_add(_e116, _e158.color, _e158.tone, 1.0, true);
+    return _e163;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -332,17 +324,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

@@ -38,6 +38,7 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -66,7 +67,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape diffuse_tone_shape = ProfileShape {0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u};
 constant ProfileShape specular_tone_shape = ProfileShape {0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u};
 constant ProfileShape back_light_tone_shape = ProfileShape {0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5, 0.40960917, 0.16836384, 0u};
@@ -80,17 +80,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -122,45 +115,39 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
+Composite blend_add(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
-) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
-}
-
-LitLayer light_apply_2_(
-    Light light_1,
     Color color_1,
     float tone_1
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
 }
 
 float profile_soft_quick(
@@ -168,8 +155,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -247,46 +233,43 @@ float profile_balanced_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float fill_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(fill_convexity, metal::float4(0.0863, 0.0745, 0.1216, 1.0), metal::float4(0.0314, 0.0235, 0.051, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0824, 0.0745, 0.1098) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e42 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float back_light_convexity = 0.5 + (0.5 * _e42);
-    Color _e57 = curvature_color(back_light_convexity, metal::float4(0.7098, 0.4, 0.1804, 1.0), metal::float4(0.4314, 0.1647, 0.1176, 1.0));
-    metal::float3 _e62 = look.key.direction;
-    metal::float3 _e71 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e62), 0.5 * metal::length(surface_1.normal + _e71)};
-    float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.25;
-    float _e84 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e87 = look.key;
-    LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e88.tone * _e88.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e104 = curvature_signed_balanced_2_(surface_1.kappa, 0.15);
-    float specular_convexity = 0.5 + (0.5 * _e104);
-    Color _e119 = curvature_color(specular_convexity, metal::float4(0.9098, 0.851, 0.7216, 1.0), metal::float4(0.5412, 0.3608, 0.251, 1.0));
-    Light _e122 = look.key;
-    Angle _e125 = parametrization_specular_balanced(_e122, surface_1.normal, surface_1.view);
-    float specular_warp = ((2.0 * specular_convexity) - 1.0) * 0.1;
-    float _e133 = profile_balanced_2_(_e125, specular_warp, specular_tone_shape);
-    Light _e136 = look.key;
-    LitLayer _e137 = light_apply_2_(_e136, _e119, _e133);
-    metal::float4 specular_blend = metal::clamp(metal::float4(diffuse_blend.xyz + (_e137.tone * _e137.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e161 = curvature_color(back_light_convexity, metal::float4(0.3098, 0.5255, 0.7216, 1.0), metal::float4(0.1294, 0.2706, 0.4314, 1.0));
-    metal::float3 _e166 = look.back.direction;
-    metal::float3 _e175 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e166), 0.5 * metal::length(surface_1.normal + _e175)};
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * 0.15;
-    float _e188 = profile_balanced(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e191 = look.back;
-    LitLayer _e192 = light_apply_2_(_e191, _e161, _e188);
-    metal::float4 output = metal::clamp(metal::float4(specular_blend.xyz + (_e192.tone * _e192.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e3 = transition_balanced(surface.kappa, 0.25);
+    Color _e14 = curvature_color(_e3, metal::float4(0.0863, 0.0745, 0.1216, 1.0), metal::float4(0.0314, 0.0235, 0.051, 1.0));
+    Light _e17 = look.key;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    Composite _e29 = blend_add(metal::float4(0.0824, 0.0745, 0.1098, 1.0), _e19.color, _e19.tone, 1.0, true);
+    float _e32 = transition_balanced(surface.kappa, 0.2);
+    Color _e43 = curvature_color(_e32, metal::float4(0.7098, 0.4, 0.1804, 1.0), metal::float4(0.4314, 0.1647, 0.1176, 1.0));
+    metal::float3 _e48 = look.key.direction;
+    metal::float3 _e57 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - _e48), 0.5 * metal::length(surface.normal + _e57)};
+    float diffuse_warp = ((2.0 * _e32) - 1.0) * 0.25;
+    float _e70 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e73 = look.key;
+    LitLayer _e74 = light_apply(_e73, _e43, _e70);
+    Composite _e79 = blend_add(_e29, _e74.color, _e74.tone, 1.0, true);
+    float _e82 = transition_balanced(surface.kappa, 0.15);
+    Color _e93 = curvature_color(_e82, metal::float4(0.9098, 0.851, 0.7216, 1.0), metal::float4(0.5412, 0.3608, 0.251, 1.0));
+    Light _e96 = look.key;
+    Angle _e99 = parametrization_specular_balanced(_e96, surface.normal, surface.view);
+    float specular_warp = ((2.0 * _e82) - 1.0) * 0.1;
+    float _e107 = profile_balanced_2_(_e99, specular_warp, specular_tone_shape);
+    Light _e110 = look.key;
+    LitLayer _e111 = light_apply(_e110, _e93, _e107);
+    Composite _e116 = blend_add(_e79, _e111.color, _e111.tone, 1.0, true);
+    Color _e127 = curvature_color(_e32, metal::float4(0.3098, 0.5255, 0.7216, 1.0), metal::float4(0.1294, 0.2706, 0.4314, 1.0));
+    metal::float3 _e132 = look.back.direction;
+    metal::float3 _e141 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e132), 0.5 * metal::length(surface.normal + _e141)};
+    float back_light_warp = ((2.0 * _e32) - 1.0) * 0.15;
+    float _e154 = profile_balanced(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e157 = look.back;
+    LitLayer _e158 = light_apply(_e157, _e127, _e154);
+    Composite _e163 = blend_add(_e116, _e158.color, _e158.tone, 1.0, true);
+    return _e163;
 }
 
 struct vs_mainInput {
@@ -304,16 +287,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -338,16 +316,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

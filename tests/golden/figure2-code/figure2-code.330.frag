@@ -192,9 +192,8 @@ VectorParts separate_vector(vec3 vector) {
     return VectorParts(vector.x, vector.y, 0.0);
 }
 
-vec4 shade(Surface surface_1) {
-    vec2 uv = surface_1.uv;
-    VectorParts _e4 = separate_vector(vec3(uv, 0.0));
+vec4 shade(Surface surface) {
+    VectorParts _e4 = separate_vector(vec3(surface.uv, 0.0));
     float _e8 = footprint_of(_e4.y);
     vec4 _e9 = ramp_at(color_code, _e4.y, _e8);
     vec4 output_alpha = vec4(_e9.xyz, clamp(_e9.w, 0.0, 1.0));
@@ -205,12 +204,10 @@ vec4 shade(Surface surface_1) {
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_uv);
-    Surface surface = Surface(vec2(0.0));
-    surface.uv = in_.uv;
-    Surface _e4 = surface;
-    vec4 _e5 = shade(_e4);
-    vec4 _e6 = finite_vec4_(_e5);
-    out_color = _e6;
+    Surface surface_1 = Surface(in_.uv);
+    vec4 _e3 = shade(surface_1);
+    vec4 _e4 = finite_vec4_(_e3);
+    out_color = _e4;
     return;
 }
 

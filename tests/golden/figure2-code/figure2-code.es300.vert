@@ -45,15 +45,12 @@ smooth out vec2 v_uv;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_uv);
-    Varyings out_ = Varyings(vec4(0.0), vec2(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.uv = vertex.uv;
-    Varyings _e16 = out_;
-    gl_Position = _e16.clip;
-    v_uv = _e16.uv;
+    mat4x4 _e10 = u_view.clip_from_world;
+    Varyings _tmp_return = Varyings((_e10 * world), vertex.uv);
+    gl_Position = _tmp_return.clip;
+    v_uv = _tmp_return.uv;
     return;
 }
 

@@ -285,10 +285,9 @@ VectorParts separate_vector(float3 vector_)
     return vectorparts;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float2 uv_2 = surface_1.uv;
-    const VectorParts _e4 = separate_vector(float3(uv_2, 0.0));
+    const VectorParts _e4 = separate_vector(float3(surface.uv, 0.0));
     const float _e8 = footprint_of(_e4.y);
     const float4 _e9 = ramp_at(color_code, _e4.y, _e8);
     float4 output_alpha = float4(_e9.xyz, clamp(_e9.w, 0.0, 1.0));
@@ -297,29 +296,34 @@ float4 shade(Surface surface_1)
     return _e17;
 }
 
+Varyings ConstructVaryings(float4 arg0, float2 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.uv = arg1;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.uv = vertex.uv;
-    Varyings _e16 = out_;
-    const Varyings varyings = _e16;
+    float4x4 _e10 = view.clip_from_world;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), vertex.uv);
     const VertexOutput_vs_main varyings_1 = { varyings.uv, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float2 arg0) {
+    Surface ret = (Surface)0;
+    ret.uv = arg0;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.uv_1 };
-    Surface surface = (Surface)0;
-
-    surface.uv = in_.uv;
-    Surface _e4 = surface;
-    const float4 _e5 = shade(_e4);
-    const float4 _e6 = finite_vec4_(_e5);
-    return _e6;
+    Surface surface_1 = ConstructSurface(in_.uv);
+    const float4 _e3 = shade(surface_1);
+    const float4 _e4 = finite_vec4_(_e3);
+    return _e4;
 }

@@ -274,10 +274,9 @@ VectorParts separate_vector(
 }
 
 metal::float4 shade(
-    Surface surface_1
+    Surface surface
 ) {
-    metal::float2 uv = surface_1.uv;
-    VectorParts _e4 = separate_vector(metal::float3(uv, 0.0));
+    VectorParts _e4 = separate_vector(metal::float3(surface.uv, 0.0));
     float _e8 = footprint_of(_e4.y);
     Color _e9 = ramp_at(color_code, _e4.y, _e8);
     metal::float4 output_alpha = metal::float4(_e9.xyz, metal::clamp(_e9.w, 0.0, 1.0));
@@ -300,14 +299,10 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.uv };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    out.uv = vertex_.uv;
-    Varyings _e16 = out;
-    const auto _tmp = _e16;
+    metal::float4x4 _e10 = view.clip_from_world;
+    const auto _tmp = Varyings {_e10 * world, vertex_.uv};
     return vs_mainOutput { _tmp.clip, _tmp.uv };
 }
 
@@ -323,10 +318,8 @@ fragment fs_mainOutput fs_main(
 , metal::float4 clip [[position]]
 ) {
     const Varyings in = { clip, varyings_1.uv };
-    Surface surface = {};
-    surface.uv = in.uv;
-    Surface _e4 = surface;
-    metal::float4 _e5 = shade(_e4);
-    metal::float4 _e6 = finite_vec4_(_e5);
-    return fs_mainOutput { _e6 };
+    Surface surface_1 = Surface {in.uv};
+    metal::float4 _e3 = shade(surface_1);
+    metal::float4 _e4 = finite_vec4_(_e3);
+    return fs_mainOutput { _e4 };
 }

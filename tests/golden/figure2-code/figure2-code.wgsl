@@ -198,12 +198,10 @@ const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let uv = surface.uv;
-    let parts = separate_vector(vec3f(uv, 0.0));
+    let parts = separate_vector(vec3f(surface.uv, 0.0));
     let color_code_2 = ramp_at(color_code, parts.y, footprint_of(parts.y));
     let output_alpha = vec4f(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
-    let output_2 = output(premultiplied(output_alpha));
-    return output_2;
+    return output(premultiplied(output_alpha));
 }
 
 struct Vertex {
@@ -219,16 +217,11 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.uv = vertex.uv;
-    return out;
+    return Varyings(view.clip_from_world * world, vertex.uv);
 }
 
 @fragment
 fn fs_main(in: Varyings) -> @location(0) vec4f {
-    var surface: Surface;
-    surface.uv = in.uv;
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(in.uv);
+    return finite_vec4(shade(surface));
 }

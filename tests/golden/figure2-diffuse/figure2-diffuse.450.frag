@@ -223,10 +223,10 @@ vec4 output_(vec4 color_1) {
     return _e2;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e20 = angle_radians(angle);
     float angle_over_pi = (_e20 / 3.1415927);
     float _e24 = footprint_of(angle_over_pi);
@@ -240,14 +240,12 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    Surface _e8 = surface;
-    vec4 _e9 = shade(_e8);
-    vec4 _e10 = finite_vec4_(_e9);
-    out_color = _e10;
+    Surface surface_1 = Surface(normal);
+    vec4 _e7 = shade(surface_1);
+    vec4 _e8 = finite_vec4_(_e7);
+    out_color = _e8;
     return;
 }
 

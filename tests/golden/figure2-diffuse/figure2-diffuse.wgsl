@@ -242,12 +242,12 @@ const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let angle_over_pi = angle_radians(angle) / 3.1415927;
     let color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
     let output_alpha = vec4f(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
-    let output_2 = output(premultiplied(output_alpha));
-    return output_2;
+    return output(premultiplied(output_alpha));
 }
 
 struct Vertex {
@@ -263,18 +263,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal);
+    return finite_vec4(shade(surface));
 }

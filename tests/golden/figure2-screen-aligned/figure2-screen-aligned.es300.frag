@@ -233,10 +233,10 @@ Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 c
     return Angle((0.5 * length((d_2 - light.own_direction))), (0.5 * length((d_2 + light.own_direction))));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
     mat3x3 _e7 = u_look.camera_from_world;
-    Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface_1.normal, _e7);
+    Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface.normal, _e7);
     float _e9 = angle_radians(_e8);
     float angle_over_pi = (_e9 / 3.1415927);
     float _e13 = footprint_of(angle_over_pi);
@@ -250,14 +250,12 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    Surface _e8 = surface;
-    vec4 _e9 = shade(_e8);
-    vec4 _e10 = finite_vec4_(_e9);
-    out_color = _e10;
+    Surface surface_1 = Surface(normal_1);
+    vec4 _e7 = shade(surface_1);
+    vec4 _e8 = finite_vec4_(_e7);
+    out_color = _e8;
     return;
 }
 

@@ -46,16 +46,13 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    mat3x3 _e17 = u_object.world_from_normal;
-    out_.normal = (_e17 * vertex.normal);
-    Varyings _e20 = out_;
-    gl_Position = _e20.clip;
-    v_normal = _e20.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e14 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), (_e14 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_normal = _tmp_return.normal;
     return;
 }
 

@@ -330,11 +330,11 @@ Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3
     return angle;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
     float3x3 _e7 = look.camera_from_world;
-    const Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface_1.normal, _e7);
+    const Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface.normal, _e7);
     const float _e9 = angle_radians(_e8);
     float angle_over_pi = (_e9 / 3.1415927);
     const float _e13 = footprint_of(angle_over_pi);
@@ -345,33 +345,38 @@ float4 shade(Surface surface_1)
     return _e22;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    Surface _e8 = surface;
-    const float4 _e9 = shade(_e8);
-    const float4 _e10 = finite_vec4_(_e9);
-    return _e10;
+    Surface surface_1 = ConstructSurface(normal_3);
+    const float4 _e7 = shade(surface_1);
+    const float4 _e8 = finite_vec4_(_e7);
+    return _e8;
 }

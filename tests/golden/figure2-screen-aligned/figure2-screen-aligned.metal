@@ -316,12 +316,12 @@ Angle parametrization_screen_aligned_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
     metal::float3x3 _e7 = look.camera_from_world;
-    Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface_1.normal, _e7);
+    Angle _e8 = parametrization_screen_aligned_balanced(_e3, surface.normal, _e7);
     float _e9 = angle_radians(_e8);
     float angle_over_pi = _e9 / 3.1415927;
     float _e13 = footprint_of(angle_over_pi);
@@ -346,15 +346,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -372,12 +368,10 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    Surface _e8 = surface;
-    metal::float4 _e9 = shade(_e8, look);
-    metal::float4 _e10 = finite_vec4_(_e9);
-    return fs_mainOutput { _e10 };
+    Surface surface_1 = Surface {normal_1};
+    metal::float4 _e7 = shade(surface_1, look);
+    metal::float4 _e8 = finite_vec4_(_e7);
+    return fs_mainOutput { _e8 };
 }

@@ -238,9 +238,9 @@ Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
     return Angle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
-    Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
+    Angle _e6 = parametrization_specular_balanced(_e3, surface.normal, surface.view);
     float _e7 = angle_radians(_e6);
     float angle_over_pi = (_e7 / 3.1415927);
     float _e11 = footprint_of(angle_over_pi);
@@ -254,17 +254,14 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    vec4 _e23 = finite_vec4_(_e22);
-    out_color = _e23;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    vec4 _e20 = finite_vec4_(_e19);
+    out_color = _e20;
     return;
 }
 

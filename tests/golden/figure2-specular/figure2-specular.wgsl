@@ -252,8 +252,7 @@ fn shade(surface: Surface) -> vec4f {
     let angle_over_pi = angle_radians(angle) / 3.1415927;
     let color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
     let output_alpha = vec4f(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
-    let output_2 = output(premultiplied(output_alpha));
-    return output_2;
+    return output(premultiplied(output_alpha));
 }
 
 struct Vertex {
@@ -270,20 +269,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return finite_vec4(shade(surface));
 }

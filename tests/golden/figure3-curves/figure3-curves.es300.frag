@@ -34,7 +34,6 @@ struct Varyings {
     vec2 uv;
 };
 const float PI = 3.1415927;
-const float LOG2_E = 1.442695;
 const ProfileShape lambert_shape = ProfileShape(1.0, 0.0, 1.4142109, 1.0, 0.0, 0.9999519, 0.37607926, 0u);
 const ProfileShape half_lambert_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
 const ProfileShape custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5, 0.49992928, 0.2351043, 0u);
@@ -54,20 +53,10 @@ float finite_or(float x_1, float otherwise) {
 vec2 sin_cos_quarter(float x_2) {
     float h = (0.5 * x_2);
     float h2_ = (h * h);
-    float s_4 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
+    float s_3 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s_4) * c), (1.0 - ((2.0 * s_4) * s_4)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
-float log2_one_minus_2_(float y_1) {
-    float series_1 = ((-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2)))))))));
-    return ((y_1 < 0.0625) ? series_1 : log2((1.0 - y_1)));
+    return vec2(((2.0 * s_3) * c), (1.0 - ((2.0 * s_3) * s_3)));
 }
 
 Angle angle_of(float radians_) {
@@ -86,10 +75,10 @@ float angle_footprint(Angle u) {
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_5 = (u_1.half_sin - (u_1.half_cos * 0.0));
+    float s_4 = (u_1.half_sin - (u_1.half_cos * 0.0));
     float c_1 = (u_1.half_cos + (u_1.half_sin * 0.0));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
-    vec2 turned = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_1));
+    vec2 turned = (((s_4 <= 0.0) && (s_4 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
@@ -113,174 +102,151 @@ vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, b
     return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
+vec4 blend_alpha_3_(vec4 below_2, vec4 color_2, float tone_2, float opacity_2, bool clamped_2) {
+    return clamp(vec4((below_2.xyz + (tone_2 * (color_2.xyz - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+}
+
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e7 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(_e7), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
 }
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_1) {
     float q_1 = (s_1 * shape_1.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2((shape_1.exponent * _e8)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_1.exponent));
 }
 
 float profile_soft_quick_3_(float s_2, ProfileShape shape_2) {
     float q_2 = (s_2 * shape_2.scale);
-    float _e6 = log2_one_minus_2_((q_2 * q_2));
-    return ((s_2 <= 0.0) ? 1.0 : min(exp2((shape_2.exponent * _e6)), 1.0));
+    return ((s_2 <= 0.0) ? 1.0 : pow((1.0 - (q_2 * q_2)), shape_2.exponent));
 }
 
-float profile_soft_quick_4_(float s_3, ProfileShape shape_3) {
-    float q_3 = (s_3 * shape_3.scale);
-    float _e8 = log2_one_minus(min((q_3 * q_3), 1.0));
-    return ((s_3 <= 0.0) ? 1.0 : ((q_3 >= 1.0) ? 0.0 : min(exp2(max((shape_3.exponent * _e8), -126.0)), 1.0)));
-}
-
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_4) {
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_3) {
     vec2 place = vec2((u_2.half_sin - (u_2.half_cos * 0.0)), (u_2.half_cos + (u_2.half_sin * 0.0)));
-    float _e15 = profile_soft_quick(place.x, shape_4);
-    if ((w_1 < (0.1 * shape_4.edge_deviation))) {
+    float _e15 = profile_soft_quick(place.x, shape_3);
+    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
         return _e15;
     }
     float r = (0.19364917 * w_1);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e41 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_4);
-    float _e49 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_4);
+    float _e41 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
+    float _e49 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
     return ((((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_5) {
+float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_4) {
     vec2 place_1 = vec2((u_3.half_sin - (u_3.half_cos * 0.0)), (u_3.half_cos + (u_3.half_sin * 0.0)));
-    float _e15 = profile_soft_quick_2_(place_1.x, shape_5);
-    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
+    float _e15 = profile_soft_quick_2_(place_1.x, shape_4);
+    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
         return _e15;
     }
     float r_1 = (0.19364917 * w_2);
     vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e41 = profile_soft_quick_3_(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_5);
-    float _e49 = profile_soft_quick_2_(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_5);
+    float _e41 = profile_soft_quick_3_(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
+    float _e49 = profile_soft_quick_2_(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
     return ((((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_6) {
-    vec2 place_2 = vec2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
-    float _e19 = profile_soft_quick_4_(place_2.x, shape_6);
-    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
+float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_5) {
+    vec2 place_2 = vec2(((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset)), ((u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset)));
+    float _e19 = profile_soft_quick_2_(place_2.x, shape_5);
+    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
         return _e19;
     }
     float r_2 = (0.19364917 * w_3);
     vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e45 = profile_soft_quick_4_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_6);
-    float _e53 = profile_soft_quick_4_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_6);
+    float _e45 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
+    float _e53 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
     return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_7) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_6) {
     Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_8) {
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
     Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
     return _e8;
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_9) {
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
     Angle _e6 = angle_turned(angle_2, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_9);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
     return _e8;
+}
+
+float threshold(float value, float edge_1, float softness) {
+    float _e3 = footprint_of(value);
+    float _e6 = step_filtered(value, edge_1, length(vec2(_e3, softness)));
+    return _e6;
 }
 
 VectorParts separate_vector(vec3 vector) {
     return VectorParts(vector.x, vector.y, 0.0);
 }
 
-vec4 shade(Surface surface_1) {
-    vec2 uv = surface_1.uv;
-    VectorParts _e4 = separate_vector(vec3(uv, 0.0));
-    float tone_2 = ((_e4.y - 0.14) / 0.72);
-    float _e11 = footprint_of(tone_2);
-    float _e15 = step_filtered(tone_2, -0.006, length(vec2(_e11, 0.0)));
-    float _e17 = footprint_of(tone_2);
-    float _e21 = step_filtered(tone_2, 0.006, length(vec2(_e17, 0.0)));
-    float angles_line = (_e15 - _e21);
-    float angles_tone = max(angles_line, 0.0);
-    vec4 _e37 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
+vec4 shade(Surface surface) {
+    VectorParts _e4 = separate_vector(vec3(surface.uv, 0.0));
+    float tone_3 = ((_e4.y - 0.14) / 0.72);
+    float _e12 = threshold(tone_3, -0.006, 0.0);
+    float _e15 = threshold(tone_3, 0.006, 0.0);
+    float angles_tone = max((_e12 - _e15), 0.0);
+    vec4 _e31 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
     float angle_3 = mix(0.0, 3.1415927, ((_e4.x - 0.08) / 0.84));
-    float _e47 = footprint_of(angle_3);
-    float _e51 = step_filtered(angle_3, -0.012, length(vec2(_e47, 0.0)));
-    float _e53 = footprint_of(angle_3);
-    float _e57 = step_filtered(angle_3, 0.012, length(vec2(_e53, 0.0)));
-    float tones_line = (_e51 - _e57);
-    float tones_tone = max(tones_line, 0.0);
-    vec4 tones = max(vec4((_e37.xyz + (tones_tone * (vec3(0.24, 0.26, 0.3) - _e37.xyz))), 1.0), vec4(0.0));
-    float _e76 = footprint_of(angle_3);
-    float _e80 = step_filtered(angle_3, 0.492, length(vec2(_e76, 0.0)));
-    float _e82 = footprint_of(angle_3);
-    float _e86 = step_filtered(angle_3, 0.508, length(vec2(_e82, 0.0)));
-    float offset_line = (_e80 - _e86);
-    float offset_tone = max(offset_line, 0.0);
-    vec4 _e97 = blend_alpha_2_(tones, vec4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
-    float _e99 = footprint_of(angle_3);
-    float _e103 = step_filtered(angle_3, 0.942, length(vec2(_e99, 0.0)));
-    float _e105 = footprint_of(angle_3);
-    float _e109 = step_filtered(angle_3, 0.958, length(vec2(_e105, 0.0)));
-    float falloff_line = (_e103 - _e109);
-    float falloff_tone = max(falloff_line, 0.0);
-    vec4 _e120 = blend_alpha_2_(_e97, vec4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
-    float _e122 = footprint_of(angle_3);
-    float _e126 = step_filtered(angle_3, 1.792, length(vec2(_e122, 0.0)));
-    float _e128 = footprint_of(angle_3);
-    float _e132 = step_filtered(angle_3, 1.808, length(vec2(_e128, 0.0)));
-    float cutoff_line = (_e126 - _e132);
-    float cutoff_tone = max(cutoff_line, 0.0);
-    vec4 _e143 = blend_alpha_2_(_e120, vec4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
-    Angle _e144 = angle_of(angle_3);
-    float _e147 = profile_balanced(_e144, 0.0, lambert_shape);
-    float lambert_off = (tone_2 - _e147);
-    float _e150 = footprint_of(lambert_off);
-    float _e154 = step_filtered(lambert_off, -0.012, length(vec2(_e150, 0.0)));
-    float _e156 = footprint_of(lambert_off);
-    float _e160 = step_filtered(lambert_off, 0.012, length(vec2(_e156, 0.0)));
-    float lambert_line = (_e154 - _e160);
+    float _e42 = threshold(angle_3, -0.012, 0.0);
+    float _e45 = threshold(angle_3, 0.012, 0.0);
+    float tones_tone = max((_e42 - _e45), 0.0);
+    vec4 tones = max(vec4((_e31.xyz + (tones_tone * (vec3(0.24, 0.26, 0.3) - _e31.xyz))), 1.0), vec4(0.0));
+    float _e65 = threshold(angle_3, 0.492, 0.0);
+    float _e68 = threshold(angle_3, 0.508, 0.0);
+    float offset_tone = max((_e65 - _e68), 0.0);
+    vec4 _e79 = blend_alpha_2_(tones, vec4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
+    float _e82 = threshold(angle_3, 0.942, 0.0);
+    float _e85 = threshold(angle_3, 0.958, 0.0);
+    float falloff_tone = max((_e82 - _e85), 0.0);
+    vec4 _e96 = blend_alpha_2_(_e79, vec4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
+    float _e99 = threshold(angle_3, 1.792, 0.0);
+    float _e102 = threshold(angle_3, 1.808, 0.0);
+    float cutoff_tone = max((_e99 - _e102), 0.0);
+    vec4 _e113 = blend_alpha_2_(_e96, vec4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
+    Angle _e114 = angle_of(angle_3);
+    float _e117 = profile_balanced(_e114, 0.0, lambert_shape);
+    float lambert_off = (tone_3 - _e117);
+    float _e121 = threshold(lambert_off, -0.012, 0.0);
+    float _e124 = threshold(lambert_off, 0.012, 0.0);
+    float lambert_line = (_e121 - _e124);
     float lambert_tone = max(lambert_line, 0.0);
-    vec4 lambert_2_ = clamp(vec4((_e143.xyz + (lambert_tone * (vec3(0.8, 0.2, 0.17) - _e143.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Angle _e180 = angle_of(angle_3);
-    float _e183 = profile_balanced_2_(_e180, 0.0, half_lambert_shape);
-    float half_lambert_off = (tone_2 - _e183);
-    float _e186 = footprint_of(half_lambert_off);
-    float _e190 = step_filtered(half_lambert_off, -0.012, length(vec2(_e186, 0.0)));
-    float _e192 = footprint_of(half_lambert_off);
-    float _e196 = step_filtered(half_lambert_off, 0.012, length(vec2(_e192, 0.0)));
-    float half_lambert_line = (_e190 - _e196);
+    vec4 _e135 = blend_alpha_3_(_e113, vec4(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
+    Angle _e136 = angle_of(angle_3);
+    float _e139 = profile_balanced_2_(_e136, 0.0, half_lambert_shape);
+    float half_lambert_off = (tone_3 - _e139);
+    float _e143 = threshold(half_lambert_off, 0.012, 0.0);
+    float _e146 = threshold(half_lambert_off, -0.012, 0.0);
+    float half_lambert_line = (_e146 - _e143);
     float half_lambert_tone = max(half_lambert_line, 0.0);
-    vec4 half_lambert_2_ = clamp(vec4((lambert_2_.xyz + (half_lambert_tone * (vec3(0.18, 0.55, 0.27) - lambert_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Angle _e216 = angle_of(angle_3);
-    float _e219 = profile_balanced_3_(_e216, 0.0, custom_shape);
-    float custom_off = (tone_2 - _e219);
-    float _e222 = footprint_of(custom_off);
-    float _e226 = step_filtered(custom_off, -0.012, length(vec2(_e222, 0.0)));
-    float _e228 = footprint_of(custom_off);
-    float _e232 = step_filtered(custom_off, 0.012, length(vec2(_e228, 0.0)));
-    float custom_line = (_e226 - _e232);
+    vec4 _e157 = blend_alpha_3_(_e135, vec4(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
+    Angle _e158 = angle_of(angle_3);
+    float _e161 = profile_balanced_3_(_e158, 0.0, custom_shape);
+    float custom_off = (tone_3 - _e161);
+    float _e165 = threshold(custom_off, -0.012, 0.0);
+    float _e168 = threshold(custom_off, 0.012, 0.0);
+    float custom_line = (_e165 - _e168);
     float custom_tone = max(custom_line, 0.0);
-    vec4 output_ = clamp(vec4((half_lambert_2_.xyz + (custom_tone * (vec3(0.5, 0.31, 0.14) - half_lambert_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 _e179 = blend_alpha_3_(_e157, vec4(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
+    return _e179;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_uv);
-    Surface surface = Surface(vec2(0.0));
-    surface.uv = in_.uv;
-    Surface _e4 = surface;
-    vec4 _e5 = shade(_e4);
-    out_color = _e5;
+    Surface surface_1 = Surface(in_.uv);
+    vec4 _e3 = shade(surface_1);
+    out_color = _e3;
     return;
 }
 

@@ -43,7 +43,6 @@ struct Angle {
 }
 
 const PI: f32 = 3.14159265358979323846;
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -71,22 +70,6 @@ fn sin_cos_quarter(x: f32) -> vec2f {
         + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus_2(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.333333333333333333 + y * (0.25 + y
-        * 0.2))));
-    return select(log2(1.0 - y), series, y < 0.0625);
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
@@ -134,8 +117,13 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+}
+
+fn blend_alpha_3(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -160,28 +148,19 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q >= 1.0), 1.0, s
-        <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), 1.0), 1.0, s <= 0.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
-        >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_3(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(min(exp2(shape.exponent * log2_one_minus_2(q * q)), 1.0), 1.0, s <= 0.0);
-}
-
-/// alpha of a soft profile where the half-sine from tau is s.
-fn profile_soft_quick_4(s: f32, shape: ProfileShape) -> f32 {
-    let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(1.0 - q * q, shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -219,14 +198,14 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    let point = profile_soft_quick_4(place.x, shape);
+    let point = profile_soft_quick_2(place.x, shape);
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
     let r = 0.193649167310370844 * w;
     let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_4(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_4(place.x * turn.y + place.y * turn.x, shape);
+    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -243,6 +222,15 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, vec2f(0.0, 1.0));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
+}
+
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
+    return step_filtered(value, edge, length(vec2f(footprint_of(value), softness)));
 }
 
 /// Separate vector
@@ -267,58 +255,40 @@ const custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let uv = surface.uv;
-    let place = separate_vector(vec3f(uv, 0.0));
+    let place = separate_vector(vec3f(surface.uv, 0.0));
     let tone = (place.y - 0.14) / (0.86 - 0.14);
-    let angles_from = step_filtered(tone, -0.006, length(vec2f(footprint_of(tone), 0.0)));
-    let angles_to = step_filtered(tone, 0.006, length(vec2f(footprint_of(tone), 0.0)));
-    let angles_line = angles_from - angles_to;
-    let angles_tone = max(angles_line, 0.0);
-    let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
+    let angles_tone = max(threshold(tone, -0.006, 0.0) - threshold(tone, 0.006, 0.0), 0.0);
+    let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0),
+        angles_tone, 1.0, true);
     let angle = mix(0.0, 3.1415927, (place.x - 0.08) / (0.92 - 0.08));
-    let tones_from = step_filtered(angle, -0.012, length(vec2f(footprint_of(angle), 0.0)));
-    let tones_to = step_filtered(angle, 0.012, length(vec2f(footprint_of(angle), 0.0)));
-    let tones_line = tones_from - tones_to;
-    let tones_tone = max(tones_line, 0.0);
-    let tones = max(vec4f(angles.xyz + tones_tone * (vec4f(0.24, 0.26, 0.3, 1.0).xyz - angles.xyz), 1.0), vec4f(0.0));
-    let offset_from = step_filtered(angle, 0.492, length(vec2f(footprint_of(angle), 0.0)));
-    let offset_to = step_filtered(angle, 0.508, length(vec2f(footprint_of(angle), 0.0)));
-    let offset_line = offset_from - offset_to;
-    let offset_tone = max(offset_line, 0.0);
+    let tones_tone = max(threshold(angle, -0.012, 0.0) - threshold(angle, 0.012, 0.0), 0.0);
+    let tones = max(vec4f(angles.xyz + tones_tone * (vec4f(0.24, 0.26, 0.3, 1.0).xyz - angles.xyz),
+        1.0), vec4f(0.0));
+    let offset_tone = max(threshold(angle, 0.492, 0.0) - threshold(angle, 0.508, 0.0), 0.0);
     let offset = blend_alpha_2(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
-    let falloff_from = step_filtered(angle, 0.942, length(vec2f(footprint_of(angle), 0.0)));
-    let falloff_to = step_filtered(angle, 0.958, length(vec2f(footprint_of(angle), 0.0)));
-    let falloff_line = falloff_from - falloff_to;
-    let falloff_tone = max(falloff_line, 0.0);
+    let falloff_tone = max(threshold(angle, 0.942, 0.0) - threshold(angle, 0.958, 0.0), 0.0);
     let falloff = blend_alpha_2(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
-    let cutoff_from = step_filtered(angle, 1.792, length(vec2f(footprint_of(angle), 0.0)));
-    let cutoff_to = step_filtered(angle, 1.808, length(vec2f(footprint_of(angle), 0.0)));
-    let cutoff_line = cutoff_from - cutoff_to;
-    let cutoff_tone = max(cutoff_line, 0.0);
+    let cutoff_tone = max(threshold(angle, 1.792, 0.0) - threshold(angle, 1.808, 0.0), 0.0);
     let cutoff = blend_alpha_2(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
     let lambert = profile_balanced(angle_of(angle), 0.0, lambert_shape);
     let lambert_off = tone - lambert;
-    let lambert_from = step_filtered(lambert_off, -0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
-    let lambert_to = step_filtered(lambert_off, 0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
-    let lambert_line = lambert_from - lambert_to;
+    let lambert_line = threshold(lambert_off, -0.012, 0.0) - threshold(lambert_off, 0.012, 0.0);
     let lambert_tone = max(lambert_line, 0.0);
-    let lambert_2 = clamp(vec4f(cutoff.xyz + lambert_tone * (vec4f(0.8, 0.2, 0.17, 1.0).xyz - cutoff.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let lambert_2 = blend_alpha_3(cutoff, vec4f(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
     let half_lambert = profile_balanced_2(angle_of(angle), 0.0, half_lambert_shape);
     let half_lambert_off = tone - half_lambert;
-    let half_lambert_from = step_filtered(half_lambert_off, -0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
-    let half_lambert_to = step_filtered(half_lambert_off, 0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
-    let half_lambert_line = half_lambert_from - half_lambert_to;
+    let half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
+    let half_lambert_line = threshold(half_lambert_off, -0.012, 0.0) - half_lambert_to;
     let half_lambert_tone = max(half_lambert_line, 0.0);
-    let half_lambert_2 = clamp(vec4f(lambert_2.xyz + half_lambert_tone * (vec4f(0.18, 0.55, 0.27, 1.0).xyz - lambert_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let half_lambert_2 = blend_alpha_3(lambert_2, vec4f(0.18, 0.55, 0.27, 1.0), half_lambert_tone,
+        1.0, true);
     let custom = profile_balanced_3(angle_of(angle), 0.0, custom_shape);
     let custom_off = tone - custom;
-    let custom_from = step_filtered(custom_off, -0.012, length(vec2f(footprint_of(custom_off), 0.0)));
-    let custom_to = step_filtered(custom_off, 0.012, length(vec2f(footprint_of(custom_off), 0.0)));
-    let custom_line = custom_from - custom_to;
+    let custom_line = threshold(custom_off, -0.012, 0.0) - threshold(custom_off, 0.012, 0.0);
     let custom_tone = max(custom_line, 0.0);
-    let custom_2 = clamp(vec4f(half_lambert_2.xyz + custom_tone * (vec4f(0.5, 0.31, 0.14, 1.0).xyz - half_lambert_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = custom_2;
-    return output;
+    let custom_2 = blend_alpha_3(half_lambert_2, vec4f(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0,
+        true);
+    return custom_2;
 }
 
 struct Vertex {
@@ -334,16 +304,11 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.uv = vertex.uv;
-    return out;
+    return Varyings(view.clip_from_world * world, vertex.uv);
 }
 
 @fragment
 fn fs_main(in: Varyings) -> @location(0) vec4f {
-    var surface: Surface;
-    surface.uv = in.uv;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(in.uv);
+    return shade(surface);
 }

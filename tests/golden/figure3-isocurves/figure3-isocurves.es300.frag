@@ -129,9 +129,13 @@ float step_filtered(float x_3, float edge, float w) {
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
-LitLayer light_apply(Light light, vec4 color, float tone) {
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+}
+
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 float profile_power_quick(float q, float exponent) {
@@ -185,10 +189,17 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+float threshold(float value, float edge_1, float softness) {
+    float _e3 = bounded(value);
+    float _e4 = footprint_of(value);
+    float _e9 = step_filtered(_e3, edge_1, length(vec2(min(_e4, 1000000000000000.0), softness)));
+    return _e9;
+}
+
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle profile_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle profile_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = u_look.profile_tone_shape;
     float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = u_look.key;
@@ -197,52 +208,38 @@ vec4 shade(Surface surface_1) {
     float _e50 = angle_radians(profile_angle);
     float _e53 = u_look.offset;
     float _e55 = bounded((_e50 - _e53));
-    float _e56 = bounded(_e55);
-    float _e58 = footprint_of(_e55);
-    float _e64 = step_filtered(_e56, -0.012, length(vec2(min(_e58, 1000000000000000.0), 0.0)));
-    float _e65 = bounded(_e55);
-    float _e67 = footprint_of(_e55);
-    float _e73 = step_filtered(_e65, 0.012, length(vec2(min(_e67, 1000000000000000.0), 0.0)));
-    float offset_isocurve_line = (_e64 - _e73);
+    float _e58 = threshold(_e55, 0.012, 0.0);
+    float _e61 = threshold(_e55, -0.012, 0.0);
+    float offset_isocurve_line = (_e61 - _e58);
     float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    vec4 offset_isocurve = clamp(vec4((profile_blend.xyz + (offset_isocurve_tone * (vec3(0.16, 0.36, 0.85) - profile_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e93 = angle_radians(profile_angle);
-    float _e96 = u_look.fall_off;
-    float _e98 = bounded((_e93 - _e96));
-    float _e99 = bounded(_e98);
-    float _e101 = footprint_of(_e98);
-    float _e107 = step_filtered(_e99, -0.012, length(vec2(min(_e101, 1000000000000000.0), 0.0)));
-    float _e108 = bounded(_e98);
-    float _e110 = footprint_of(_e98);
-    float _e116 = step_filtered(_e108, 0.012, length(vec2(min(_e110, 1000000000000000.0), 0.0)));
-    float falloff_isocurve_line = (_e107 - _e116);
+    vec4 _e72 = blend_alpha(profile_blend, vec4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
+    float _e73 = angle_radians(profile_angle);
+    float _e76 = u_look.fall_off;
+    float _e78 = bounded((_e73 - _e76));
+    float _e81 = threshold(_e78, 0.012, 0.0);
+    float _e84 = threshold(_e78, -0.012, 0.0);
+    float falloff_isocurve_line = (_e84 - _e81);
     float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    vec4 falloff_isocurve = clamp(vec4((offset_isocurve.xyz + (falloff_isocurve_tone * (vec3(0.16, 0.36, 0.85) - offset_isocurve.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e136 = angle_radians(profile_angle);
-    float _e139 = u_look.cut_off;
-    float _e141 = bounded((_e136 - _e139));
-    float _e142 = bounded(_e141);
-    float _e144 = footprint_of(_e141);
-    float _e150 = step_filtered(_e142, -0.012, length(vec2(min(_e144, 1000000000000000.0), 0.0)));
-    float _e151 = bounded(_e141);
-    float _e153 = footprint_of(_e141);
-    float _e159 = step_filtered(_e151, 0.012, length(vec2(min(_e153, 1000000000000000.0), 0.0)));
-    float cutoff_isocurve_line = (_e150 - _e159);
+    vec4 _e95 = blend_alpha(_e72, vec4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
+    float _e96 = angle_radians(profile_angle);
+    float _e99 = u_look.cut_off;
+    float _e101 = bounded((_e96 - _e99));
+    float _e104 = threshold(_e101, 0.012, 0.0);
+    float _e107 = threshold(_e101, -0.012, 0.0);
+    float cutoff_isocurve_line = (_e107 - _e104);
     float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    vec4 output_ = clamp(vec4((falloff_isocurve.xyz + (cutoff_isocurve_tone * (vec3(0.16, 0.36, 0.85) - falloff_isocurve.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 _e118 = blend_alpha(_e95, vec4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    return _e118;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    Surface _e8 = surface;
-    vec4 _e9 = shade(_e8);
-    out_color = _e9;
+    Surface surface_1 = Surface(normal);
+    vec4 _e7 = shade(surface_1);
+    out_color = _e7;
     return;
 }
 

@@ -189,6 +189,11 @@ float step_filtered(float x_3, float edge, float w)
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
+float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
+{
+    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+}
+
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -196,10 +201,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
@@ -260,11 +265,19 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float threshold(float value, float edge_1, float softness)
+{
+    const float _e3 = bounded(value);
+    const float _e4 = footprint_of(value);
+    const float _e9 = step_filtered(_e3, edge_1, length(float2(min(_e4, 1000000000000000.0), softness)));
+    return _e9;
+}
+
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle profile_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = look.profile_tone_shape;
     const float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
@@ -273,68 +286,61 @@ float4 shade(Surface surface_1)
     const float _e50 = angle_radians(profile_angle);
     float _e53 = look.offset;
     const float _e55 = bounded((_e50 - _e53));
-    const float _e56 = bounded(_e55);
-    const float _e58 = footprint_of(_e55);
-    const float _e64 = step_filtered(_e56, -0.012, length(float2(min(_e58, 1000000000000000.0), 0.0)));
-    const float _e65 = bounded(_e55);
-    const float _e67 = footprint_of(_e55);
-    const float _e73 = step_filtered(_e65, 0.012, length(float2(min(_e67, 1000000000000000.0), 0.0)));
-    float offset_isocurve_line = (_e64 - _e73);
+    const float _e58 = threshold(_e55, 0.012, 0.0);
+    const float _e61 = threshold(_e55, -0.012, 0.0);
+    float offset_isocurve_line = (_e61 - _e58);
     float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    float4 offset_isocurve = clamp(float4((profile_blend.xyz + (offset_isocurve_tone * (float3(0.16, 0.36, 0.85) - profile_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e93 = angle_radians(profile_angle);
-    float _e96 = look.fall_off;
-    const float _e98 = bounded((_e93 - _e96));
-    const float _e99 = bounded(_e98);
-    const float _e101 = footprint_of(_e98);
-    const float _e107 = step_filtered(_e99, -0.012, length(float2(min(_e101, 1000000000000000.0), 0.0)));
-    const float _e108 = bounded(_e98);
-    const float _e110 = footprint_of(_e98);
-    const float _e116 = step_filtered(_e108, 0.012, length(float2(min(_e110, 1000000000000000.0), 0.0)));
-    float falloff_isocurve_line = (_e107 - _e116);
+    const float4 _e72 = blend_alpha(profile_blend, float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
+    const float _e73 = angle_radians(profile_angle);
+    float _e76 = look.fall_off;
+    const float _e78 = bounded((_e73 - _e76));
+    const float _e81 = threshold(_e78, 0.012, 0.0);
+    const float _e84 = threshold(_e78, -0.012, 0.0);
+    float falloff_isocurve_line = (_e84 - _e81);
     float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    float4 falloff_isocurve = clamp(float4((offset_isocurve.xyz + (falloff_isocurve_tone * (float3(0.16, 0.36, 0.85) - offset_isocurve.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e136 = angle_radians(profile_angle);
-    float _e139 = look.cut_off;
-    const float _e141 = bounded((_e136 - _e139));
-    const float _e142 = bounded(_e141);
-    const float _e144 = footprint_of(_e141);
-    const float _e150 = step_filtered(_e142, -0.012, length(float2(min(_e144, 1000000000000000.0), 0.0)));
-    const float _e151 = bounded(_e141);
-    const float _e153 = footprint_of(_e141);
-    const float _e159 = step_filtered(_e151, 0.012, length(float2(min(_e153, 1000000000000000.0), 0.0)));
-    float cutoff_isocurve_line = (_e150 - _e159);
+    const float4 _e95 = blend_alpha(_e72, float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
+    const float _e96 = angle_radians(profile_angle);
+    float _e99 = look.cut_off;
+    const float _e101 = bounded((_e96 - _e99));
+    const float _e104 = threshold(_e101, 0.012, 0.0);
+    const float _e107 = threshold(_e101, -0.012, 0.0);
+    float cutoff_isocurve_line = (_e107 - _e104);
     float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    float4 output = clamp(float4((falloff_isocurve.xyz + (cutoff_isocurve_tone * (float3(0.16, 0.36, 0.85) - falloff_isocurve.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float4 _e118 = blend_alpha(_e95, float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    return _e118;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    Surface _e8 = surface;
-    const float4 _e9 = shade(_e8);
-    return _e9;
+    Surface surface_1 = ConstructSurface(normal_2);
+    const float4 _e7 = shade(surface_1);
+    return _e7;
 }

@@ -50,6 +50,7 @@ struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -171,13 +172,23 @@ float step_filtered(
     return metal::clamp(0.5 + _e13, 0.0, 1.0);
 }
 
+Composite blend_alpha(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
+) {
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+}
+
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 float profile_power_quick(
@@ -252,13 +263,24 @@ float profile_balanced(
     return _e8;
 }
 
+float threshold(
+    float value,
+    float edge_1,
+    float softness
+) {
+    float _e3 = bounded(value);
+    float _e4 = footprint_of(value);
+    float _e9 = step_filtered(_e3, edge_1, metal::length(metal::float2(metal::min(_e4, 1000000000000000.0), softness)));
+    return _e9;
+}
+
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle profile_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     ProfileShape _e23 = look.profile_tone_shape;
     float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
@@ -267,40 +289,28 @@ metal::float4 shade(
     float _e50 = angle_radians(profile_angle);
     float _e53 = look.offset;
     float _e55 = bounded(_e50 - _e53);
-    float _e56 = bounded(_e55);
-    float _e58 = footprint_of(_e55);
-    float _e64 = step_filtered(_e56, -0.012, metal::length(metal::float2(metal::min(_e58, 1000000000000000.0), 0.0)));
-    float _e65 = bounded(_e55);
-    float _e67 = footprint_of(_e55);
-    float _e73 = step_filtered(_e65, 0.012, metal::length(metal::float2(metal::min(_e67, 1000000000000000.0), 0.0)));
-    float offset_isocurve_line = _e64 - _e73;
+    float _e58 = threshold(_e55, 0.012, 0.0);
+    float _e61 = threshold(_e55, -0.012, 0.0);
+    float offset_isocurve_line = _e61 - _e58;
     float offset_isocurve_tone = metal::max(offset_isocurve_line, 0.0);
-    metal::float4 offset_isocurve = metal::clamp(metal::float4(profile_blend.xyz + (offset_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - profile_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e93 = angle_radians(profile_angle);
-    float _e96 = look.fall_off;
-    float _e98 = bounded(_e93 - _e96);
-    float _e99 = bounded(_e98);
-    float _e101 = footprint_of(_e98);
-    float _e107 = step_filtered(_e99, -0.012, metal::length(metal::float2(metal::min(_e101, 1000000000000000.0), 0.0)));
-    float _e108 = bounded(_e98);
-    float _e110 = footprint_of(_e98);
-    float _e116 = step_filtered(_e108, 0.012, metal::length(metal::float2(metal::min(_e110, 1000000000000000.0), 0.0)));
-    float falloff_isocurve_line = _e107 - _e116;
+    Composite _e72 = blend_alpha(profile_blend, metal::float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
+    float _e73 = angle_radians(profile_angle);
+    float _e76 = look.fall_off;
+    float _e78 = bounded(_e73 - _e76);
+    float _e81 = threshold(_e78, 0.012, 0.0);
+    float _e84 = threshold(_e78, -0.012, 0.0);
+    float falloff_isocurve_line = _e84 - _e81;
     float falloff_isocurve_tone = metal::max(falloff_isocurve_line, 0.0);
-    metal::float4 falloff_isocurve = metal::clamp(metal::float4(offset_isocurve.xyz + (falloff_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - offset_isocurve.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e136 = angle_radians(profile_angle);
-    float _e139 = look.cut_off;
-    float _e141 = bounded(_e136 - _e139);
-    float _e142 = bounded(_e141);
-    float _e144 = footprint_of(_e141);
-    float _e150 = step_filtered(_e142, -0.012, metal::length(metal::float2(metal::min(_e144, 1000000000000000.0), 0.0)));
-    float _e151 = bounded(_e141);
-    float _e153 = footprint_of(_e141);
-    float _e159 = step_filtered(_e151, 0.012, metal::length(metal::float2(metal::min(_e153, 1000000000000000.0), 0.0)));
-    float cutoff_isocurve_line = _e150 - _e159;
+    Composite _e95 = blend_alpha(_e72, metal::float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
+    float _e96 = angle_radians(profile_angle);
+    float _e99 = look.cut_off;
+    float _e101 = bounded(_e96 - _e99);
+    float _e104 = threshold(_e101, 0.012, 0.0);
+    float _e107 = threshold(_e101, -0.012, 0.0);
+    float cutoff_isocurve_line = _e107 - _e104;
     float cutoff_isocurve_tone = metal::max(cutoff_isocurve_line, 0.0);
-    metal::float4 output = metal::clamp(metal::float4(falloff_isocurve.xyz + (cutoff_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - falloff_isocurve.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    Composite _e118 = blend_alpha(_e95, metal::float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    return _e118;
 }
 
 struct vs_mainInput {
@@ -317,15 +327,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -343,11 +349,9 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    Surface _e8 = surface;
-    metal::float4 _e9 = shade(_e8, look);
-    return fs_mainOutput { _e9 };
+    Surface surface_1 = Surface {normal};
+    metal::float4 _e7 = shade(surface_1, look);
+    return fs_mainOutput { _e7 };
 }

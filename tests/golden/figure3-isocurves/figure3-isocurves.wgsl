@@ -40,6 +40,9 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -152,6 +155,11 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+}
+
 /// Light on a layer
 ///
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
@@ -248,32 +256,43 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
+    return step_filtered(bounded(value), edge,
+        length(vec2f(min(footprint_of(value), 1e15), softness)));
+}
+
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.86, 0.8, 0.7, 1.0), profile_tone);
-    let profile_blend = clamp(vec4f(vec4f(0.11, 0.13, 0.19, 1.0).xyz + profile_lit.tone * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let profile_blend = clamp(vec4f(vec4f(0.11, 0.13, 0.19, 1.0).xyz + profile_lit.tone
+        * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let offset_apart = bounded(angle_radians(profile_angle) - look.offset);
-    let offset_isocurve_from = step_filtered(bounded(offset_apart), -0.012, length(vec2f(min(footprint_of(offset_apart), 1e15), 0.0)));
-    let offset_isocurve_to = step_filtered(bounded(offset_apart), 0.012, length(vec2f(min(footprint_of(offset_apart), 1e15), 0.0)));
-    let offset_isocurve_line = offset_isocurve_from - offset_isocurve_to;
+    let offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
+    let offset_isocurve_line = threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to;
     let offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    let offset_isocurve = clamp(vec4f(profile_blend.xyz + offset_isocurve_tone * (vec4f(0.16, 0.36, 0.85, 1.0).xyz - profile_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let offset_isocurve = blend_alpha(profile_blend, vec4f(0.16, 0.36, 0.85, 1.0),
+        offset_isocurve_tone, 1.0, true);
     let falloff_apart = bounded(angle_radians(profile_angle) - look.fall_off);
-    let falloff_isocurve_from = step_filtered(bounded(falloff_apart), -0.012, length(vec2f(min(footprint_of(falloff_apart), 1e15), 0.0)));
-    let falloff_isocurve_to = step_filtered(bounded(falloff_apart), 0.012, length(vec2f(min(footprint_of(falloff_apart), 1e15), 0.0)));
-    let falloff_isocurve_line = falloff_isocurve_from - falloff_isocurve_to;
+    let falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
+    let falloff_isocurve_line = threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to;
     let falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    let falloff_isocurve = clamp(vec4f(offset_isocurve.xyz + falloff_isocurve_tone * (vec4f(0.16, 0.36, 0.85, 1.0).xyz - offset_isocurve.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let falloff_isocurve = blend_alpha(offset_isocurve, vec4f(0.16, 0.36, 0.85, 1.0),
+        falloff_isocurve_tone, 1.0, true);
     let cutoff_apart = bounded(angle_radians(profile_angle) - look.cut_off);
-    let cutoff_isocurve_from = step_filtered(bounded(cutoff_apart), -0.012, length(vec2f(min(footprint_of(cutoff_apart), 1e15), 0.0)));
-    let cutoff_isocurve_to = step_filtered(bounded(cutoff_apart), 0.012, length(vec2f(min(footprint_of(cutoff_apart), 1e15), 0.0)));
-    let cutoff_isocurve_line = cutoff_isocurve_from - cutoff_isocurve_to;
+    let cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
+    let cutoff_isocurve_line = threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to;
     let cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    let cutoff_isocurve = clamp(vec4f(falloff_isocurve.xyz + cutoff_isocurve_tone * (vec4f(0.16, 0.36, 0.85, 1.0).xyz - falloff_isocurve.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = cutoff_isocurve;
-    return output;
+    let cutoff_isocurve = blend_alpha(falloff_isocurve, vec4f(0.16, 0.36, 0.85, 1.0),
+        cutoff_isocurve_tone, 1.0, true);
+    return cutoff_isocurve;
 }
 
 struct Vertex {
@@ -289,18 +308,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal);
+    return shade(surface);
 }

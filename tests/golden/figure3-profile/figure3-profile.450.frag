@@ -127,28 +127,26 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle profile_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle profile_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = u_look.profile_tone_shape;
     float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = u_look.key;
     LitLayer _e33 = light_apply(_e27, vec4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    vec4 output_ = clamp(vec4((vec3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 profile_blend = clamp(vec4((vec3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return profile_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    Surface _e8 = surface;
-    vec4 _e9 = shade(_e8);
-    out_color = _e9;
+    Surface surface_1 = Surface(normal);
+    vec4 _e7 = shade(surface_1);
+    out_color = _e7;
     return;
 }
 

@@ -199,45 +199,50 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle profile_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = look.profile_tone_shape;
     const float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
     const LitLayer _e33 = light_apply(_e27, float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    float4 output = clamp(float4((float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    float4 profile_blend = clamp(float4((float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return profile_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    Surface _e8 = surface;
-    const float4 _e9 = shade(_e8);
-    return _e9;
+    Surface surface_1 = ConstructSurface(normal_2);
+    const float4 _e7 = shade(surface_1);
+    return _e7;
 }

@@ -182,18 +182,18 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle profile_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     ProfileShape _e23 = look.profile_tone_shape;
     float _e24 = profile_balanced(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
     LitLayer _e33 = light_apply(_e27, metal::float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    metal::float4 output = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return profile_blend;
 }
 
 struct vs_mainInput {
@@ -210,15 +210,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -236,11 +232,9 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    Surface _e8 = surface;
-    metal::float4 _e9 = shade(_e8, look);
-    return fs_mainOutput { _e9 };
+    Surface surface_1 = Surface {normal};
+    metal::float4 _e7 = shade(surface_1, look);
+    return fs_mainOutput { _e7 };
 }

@@ -189,12 +189,13 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.949, 0.8941, 0.7843, 1.0), profile_tone);
-    let profile_blend = clamp(vec4f(vec4f(0.1098, 0.1333, 0.1882, 1.0).xyz + profile_lit.tone * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = profile_blend;
-    return output;
+    let profile_blend = clamp(vec4f(vec4f(0.1098, 0.1333, 0.1882, 1.0).xyz + profile_lit.tone
+        * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    return profile_blend;
 }
 
 struct Vertex {
@@ -210,18 +211,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal);
+    return shade(surface);
 }

@@ -39,7 +39,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 layout(std140, binding = 2) uniform LookBlock { Look u_look; };
@@ -51,11 +50,6 @@ layout(location = 0) out vec4 out_color;
 
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -77,10 +71,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
@@ -93,8 +83,7 @@ LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
@@ -117,36 +106,32 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float diffuse_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
-    Light _e21 = u_look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e50 = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
-    vec3 _e55 = u_look.key.direction;
-    vec3 _e64 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
-    float _e72 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
-    Light _e75 = u_look.key;
-    LitLayer _e76 = light_apply_2_(_e75, _e50, _e72);
-    vec4 output_ = clamp(vec4((fill_blend.xyz + (_e76.tone * _e76.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+vec4 shade(Surface surface) {
+    float diffuse_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
+    Light _e33 = u_look.key;
+    LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (_e35.tone * _e35.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e62 = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
+    vec3 _e67 = u_look.key.direction;
+    vec3 _e76 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface.normal - _e67))), (0.5 * length((surface.normal + _e76))));
+    float _e84 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
+    Light _e87 = u_look.key;
+    LitLayer _e88 = light_apply_2_(_e87, _e62, _e84);
+    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return diffuse_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    vec4 _e17 = shade(_e16);
-    out_color = _e17;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal, _e11.x);
+    vec4 _e14 = shade(surface_1);
+    out_color = _e14;
     return;
 }
 

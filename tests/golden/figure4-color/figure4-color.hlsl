@@ -85,7 +85,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape diffuse_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 cbuffer view : register(b0) { View view; }
@@ -107,12 +106,6 @@ struct FragmentInput_fs_main {
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -145,11 +138,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -174,8 +162,7 @@ LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
@@ -200,39 +187,47 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float diffuse_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(diffuse_convexity, float4(0.2275, 0.1569, 0.1882, 1.0), float4(0.0863, 0.0431, 0.0667, 1.0));
-    Light _e21 = look.key;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e50 = curvature_color(diffuse_convexity, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
-    float3 _e55 = look.key.direction;
-    float3 _e64 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
-    const float _e72 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
-    Light _e75 = look.key;
-    const LitLayer _e76 = light_apply_2_(_e75, _e50, _e72);
-    float4 output = clamp(float4((fill_blend.xyz + (_e76.tone * _e76.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    float diffuse_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(diffuse_convexity, float4(0.2275, 0.1569, 0.1882, 1.0), float4(0.0863, 0.0431, 0.0667, 1.0));
+    Light _e33 = look.key;
+    const LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    float4 fill_blend = clamp(float4((float3(0.1373, 0.0941, 0.1255) + (_e35.tone * _e35.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e62 = curvature_color(diffuse_convexity, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
+    float3 _e67 = look.key.direction;
+    float3 _e76 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - _e67))), (0.5 * length((surface.normal + _e76))));
+    const float _e84 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
+    Light _e87 = look.key;
+    const LitLayer _e88 = light_apply_2_(_e87, _e62, _e84);
+    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return diffuse_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.kappa = arg1;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -243,14 +238,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    const float4 _e17 = shade(_e16);
-    return _e17;
+    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_2, _e11.x);
+    const float4 _e14 = shade(surface_1);
+    return _e14;
 }

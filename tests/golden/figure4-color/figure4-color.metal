@@ -63,20 +63,12 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape diffuse_tone_shape = ProfileShape {0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u};
 
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -107,13 +99,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 LitLayer light_apply(
     Light light,
     Color color,
@@ -137,8 +122,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -170,24 +154,23 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float diffuse_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(diffuse_convexity, metal::float4(0.2275, 0.1569, 0.1882, 1.0), metal::float4(0.0863, 0.0431, 0.0667, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e50 = curvature_color(diffuse_convexity, metal::float4(0.7255, 0.5137, 0.3529, 1.0), metal::float4(0.3608, 0.1216, 0.1725, 1.0));
-    metal::float3 _e55 = look.key.direction;
-    metal::float3 _e64 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
-    float _e72 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
-    Light _e75 = look.key;
-    LitLayer _e76 = light_apply_2_(_e75, _e50, _e72);
-    metal::float4 output = metal::clamp(metal::float4(fill_blend.xyz + (_e76.tone * _e76.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float diffuse_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))))));
+    Color _e30 = curvature_color(diffuse_convexity, metal::float4(0.2275, 0.1569, 0.1882, 1.0), metal::float4(0.0863, 0.0431, 0.0667, 1.0));
+    Light _e33 = look.key;
+    LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.1373, 0.0941, 0.1255) + (_e35.tone * _e35.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e62 = curvature_color(diffuse_convexity, metal::float4(0.7255, 0.5137, 0.3529, 1.0), metal::float4(0.3608, 0.1216, 0.1725, 1.0));
+    metal::float3 _e67 = look.key.direction;
+    metal::float3 _e76 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - _e67), 0.5 * metal::length(surface.normal + _e76)};
+    float _e84 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
+    Light _e87 = look.key;
+    LitLayer _e88 = light_apply_2_(_e87, _e62, _e84);
+    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e88.tone * _e88.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return diffuse_blend;
 }
 
 struct vs_mainInput {
@@ -204,15 +187,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -235,13 +214,10 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    metal::float4 _e17 = shade(_e16, look);
-    return fs_mainOutput { _e17 };
+    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal, _e11.x};
+    metal::float4 _e14 = shade(surface_1, look);
+    return fs_mainOutput { _e14 };
 }

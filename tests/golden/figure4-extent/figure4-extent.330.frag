@@ -40,7 +40,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
 
 layout(std140) uniform LookBlock { Look u_look; };
@@ -55,15 +54,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_1 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_1 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_1, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -82,10 +76,6 @@ Angle angle_turned(Angle u_1, vec2 t) {
     return Angle(turned.x, turned.y);
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
@@ -93,8 +83,7 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
@@ -118,33 +107,29 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float diffuse_convexity = (0.5 + (0.5 * _e22));
+    Angle diffuse_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
+    float diffuse_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
     float diffuse_warp = (((2.0 * diffuse_convexity) - 1.0) * 0.75);
-    float _e34 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e37 = u_look.key;
-    LitLayer _e43 = light_apply(_e37, vec4(0.6275, 0.4157, 0.2902, 1.0), _e34);
-    vec4 _e46 = u_look.fill_blend;
-    vec4 output_ = clamp(vec4((_e46.xyz + (_e43.tone * _e43.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e46 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e49 = u_look.key;
+    LitLayer _e55 = light_apply(_e49, vec4(0.6275, 0.4157, 0.2902, 1.0), _e46);
+    vec4 _e58 = u_look.fill_blend;
+    vec4 diffuse_blend = clamp(vec4((_e58.xyz + (_e55.tone * _e55.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return diffuse_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    vec4 _e17 = shade(_e16);
-    out_color = _e17;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal, _e11.x);
+    vec4 _e14 = shade(surface_1);
+    out_color = _e14;
     return;
 }
 

@@ -81,20 +81,6 @@ constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
@@ -102,12 +88,12 @@ metal::float3 normalize_seen_balanced(
 }
 
 metal::float2 sin_cos_quick(
-    float x_2
+    float x
 ) {
-    float y_1 = x_2 * x_2;
-    float s_4 = x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float y_1 = x * x;
+    float s_5 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
     float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
-    return metal::float2(s_4, c);
+    return metal::float2(s_5, c);
 }
 
 float log2_one_minus(
@@ -124,28 +110,17 @@ float angle_footprint(
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
     float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_5, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-float angle_footprint_2_(
-    Angle u_1
-) {
-    metal::float2 half_1 = metal::float2(u_1.half_sin, u_1.half_cos);
-    metal::float2 dx_1 = metal::dfdx(half_1);
-    metal::float2 dy_1 = metal::dfdy(half_1);
-    float w_6 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
-    return metal::min(w_6, 0.5);
+    return metal::min(w_5, 0.5);
 }
 
 Angle angle_turned(
-    Angle u_2,
+    Angle u_1,
     metal::float2 t
 ) {
-    float s_5 = (u_2.half_sin * t.y) - (u_2.half_cos * t.x);
-    float c_1 = (u_2.half_cos * t.y) + (u_2.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, c_1);
-    metal::float2 turned = ((s_5 <= 0.0) & (s_5 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s_6 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_6, c_1);
+    metal::float2 turned = ((s_6 <= 0.0) & (s_6 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -155,20 +130,6 @@ Color curvature_color(
     Color concave
 ) {
     return concave + (convexity * (convex - concave));
-}
-
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
 }
 
 Composite blend_finish(
@@ -238,10 +199,10 @@ float profile_power_quick(
 }
 
 metal::float2 profile_place(
-    Angle u_3,
+    Angle u_2,
     ProfileShape shape
 ) {
-    return metal::float2((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset), (u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset));
+    return metal::float2((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset), (u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset));
 }
 
 float profile_soft_quick(
@@ -261,181 +222,187 @@ float profile_soft_quick_2_(
     return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
 }
 
-float profile_ramp_quick(
+float profile_soft_quick_3_(
     float s_2,
-    float w,
     ProfileShape shape_3
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_3.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float q_2 = s_2 * shape_3.scale;
+    return (s_2 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_2 * q_2), 0.0), shape_3.exponent);
+}
+
+float profile_ramp_quick(
+    float s_3,
+    float w,
+    ProfileShape shape_4
+) {
+    float width = metal::sqrt((w * w) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
+    float from_offset = s_3 * (2.0 + ((s_3 * s_3) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_4.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_3 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
 float profile_ramp_quick_2_(
-    float s_3,
+    float s_4,
     float w_1,
-    ProfileShape shape_4
+    ProfileShape shape_5
 ) {
-    float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
-    float from_offset_1 = s_3 * (2.0 + ((s_3 * s_3) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((shape_4.edge_mean - from_offset_1) / width_1), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_3 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation));
+    float from_offset_1 = s_4 * (2.0 + ((s_4 * s_4) * 0.33333334));
+    float ramp_1 = metal::clamp(0.5 + ((shape_5.edge_mean - from_offset_1) / width_1), 0.0, 1.0);
+    return (w_1 <= 0.0) ? ((s_4 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
 }
 
 float profile_filtered_quick(
-    Angle u_4,
+    Angle u_3,
     float w_2,
-    ProfileShape shape_5
+    ProfileShape shape_6
 ) {
-    if (shape_5.kind == PROFILE_AMBIENT) {
+    if (shape_6.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_4, shape_5);
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation));
-    if ((shape_5.kind == PROFILE_STEP) | is_narrow) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
+    metal::float2 _e7 = profile_place(u_3, shape_6);
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_6.edge_deviation));
+    if ((shape_6.kind == PROFILE_STEP) | is_narrow) {
+        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_6);
         return _e20;
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_5);
-    if (w_2 < (0.1 * shape_5.edge_deviation)) {
+    float _e22 = profile_soft_quick(_e7.x, shape_6);
+    if (w_2 < (0.1 * shape_6.edge_deviation)) {
         return _e22;
     }
     float r = 0.19364917 * w_2;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_5);
-    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_5);
+    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_6);
+    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_6);
     return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
 }
 
 float profile_filtered_quick_2_(
-    Angle u_5,
+    Angle u_4,
     float w_3,
-    ProfileShape shape_6
+    ProfileShape shape_7
 ) {
-    metal::float2 place = metal::float2((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset), (u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset));
-    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation));
-    if ((shape_6.kind == PROFILE_STEP) | is_narrow_1) {
-        float _e30 = profile_ramp_quick(place.x, w_3, shape_6);
+    metal::float2 place = metal::float2((u_4.half_sin * shape_7.half_cos_offset) - (u_4.half_cos * shape_7.half_sin_offset), (u_4.half_cos * shape_7.half_cos_offset) + (u_4.half_sin * shape_7.half_sin_offset));
+    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_7.edge_deviation));
+    if ((shape_7.kind == PROFILE_STEP) | is_narrow_1) {
+        float _e30 = profile_ramp_quick(place.x, w_3, shape_7);
         return _e30;
     }
-    float _e32 = profile_soft_quick(place.x, shape_6);
-    if (w_3 < (0.1 * shape_6.edge_deviation)) {
+    float _e32 = profile_soft_quick_2_(place.x, shape_7);
+    if (w_3 < (0.1 * shape_7.edge_deviation)) {
         return _e32;
     }
     float r_1 = 0.19364917 * w_3;
     metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e58 = profile_soft_quick((place.x * turn_1.y) - (place.y * turn_1.x), shape_6);
-    float _e66 = profile_soft_quick((place.x * turn_1.y) + (place.y * turn_1.x), shape_6);
+    float _e58 = profile_soft_quick_2_((place.x * turn_1.y) - (place.y * turn_1.x), shape_7);
+    float _e66 = profile_soft_quick_2_((place.x * turn_1.y) + (place.y * turn_1.x), shape_7);
     return (((5.0 * _e58) + (8.0 * _e32)) + (5.0 * _e66)) / 18.0;
 }
 
 float profile_filtered_quick_3_(
-    Angle u_6,
+    Angle u_5,
     float w_4,
-    ProfileShape shape_7
+    ProfileShape shape_8
 ) {
-    metal::float2 place_1 = metal::float2((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset), (u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset));
-    bool is_narrow_2 = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_7.edge_deviation));
+    metal::float2 place_1 = metal::float2((u_5.half_sin * shape_8.half_cos_offset) - (u_5.half_cos * shape_8.half_sin_offset), (u_5.half_cos * shape_8.half_cos_offset) + (u_5.half_sin * shape_8.half_sin_offset));
+    bool is_narrow_2 = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_8.edge_deviation));
     if (false | is_narrow_2) {
-        float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_7);
+        float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_8);
         return _e28;
     }
-    float _e30 = profile_soft_quick_2_(place_1.x, shape_7);
-    if (w_4 < (0.1 * shape_7.edge_deviation)) {
+    float _e30 = profile_soft_quick_3_(place_1.x, shape_8);
+    if (w_4 < (0.1 * shape_8.edge_deviation)) {
         return _e30;
     }
     float r_2 = 0.19364917 * w_4;
     metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e56 = profile_soft_quick_2_((place_1.x * turn_2.y) - (place_1.y * turn_2.x), shape_7);
-    float _e64 = profile_soft_quick_2_((place_1.x * turn_2.y) + (place_1.y * turn_2.x), shape_7);
+    float _e56 = profile_soft_quick_3_((place_1.x * turn_2.y) - (place_1.y * turn_2.x), shape_8);
+    float _e64 = profile_soft_quick_3_((place_1.x * turn_2.y) + (place_1.y * turn_2.x), shape_8);
     return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_8
+    ProfileShape shape_9
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint_2_(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_8);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_9);
     return _e8;
 }
 
 float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_9
+    ProfileShape shape_10
 ) {
     metal::float2 _e8 = sin_cos_quick(0.5 * metal::clamp(shift_1, -3.1415927, PI));
     Angle _e9 = angle_turned(angle_1, _e8);
     float _e10 = angle_footprint(_e9);
-    float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_9);
+    float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_10);
     return _e11;
 }
 
 float profile_balanced_3_(
     Angle angle_2,
     float shift_2,
-    ProfileShape shape_10
+    ProfileShape shape_11
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint_2_(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_11);
     return _e8;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float back_light_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply_2_(_e21, _e18, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e50 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
-    metal::float3 _e55 = look.key.direction;
-    metal::float3 _e64 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
+    float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
+    Color _e30 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
+    Light _e33 = look.key;
+    LitLayer _e35 = light_apply_2_(_e33, _e30, 1.0);
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (_e35.tone * _e35.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e62 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
+    metal::float3 _e67 = look.key.direction;
+    metal::float3 _e76 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - _e67), 0.5 * metal::length(surface.normal + _e76)};
     float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
-    ProfileShape _e78 = look.diffuse_tone_shape;
-    float _e79 = profile_balanced(diffuse_angle, diffuse_warp, _e78);
-    Light _e82 = look.key;
-    LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e83.tone * _e83.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 _e99 = look.back_light_color_concave;
-    metal::float4 _e102 = look.back_light_color_convex;
-    metal::float4 _e105 = look.back_light_color_concave;
-    metal::float4 back_light_color = _e99 + (back_light_convexity * (_e102 - _e105));
-    metal::float3 _e113 = look.back.direction;
-    metal::float3 _e122 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e113), 0.5 * metal::length(surface_1.normal + _e122)};
-    float _e134 = look.back_light_warp_amount;
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e134, -3.1415927, 3.1415927);
-    ProfileShape _e141 = look.back_light_tone_shape;
-    float _e142 = profile_balanced_2_(back_light_angle, back_light_warp, _e141);
-    Light _e145 = look.back;
-    LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
-    Composite _e157 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e146.tone * _e146.color.xyz), 1.0, _e146.color.w, true);
-    float _e160 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = 0.5 + (0.5 * _e160);
-    metal::float4 _e167 = look.highlight_color_concave;
-    metal::float4 _e170 = look.highlight_color_convex;
-    metal::float4 _e173 = look.highlight_color_concave;
-    metal::float4 highlight_color = _e167 + (highlight_convexity * (_e170 - _e173));
-    Light _e179 = look.key;
-    Angle _e182 = parametrization_specular_balanced(_e179, surface_1.normal, surface_1.view);
+    ProfileShape _e90 = look.diffuse_tone_shape;
+    float _e91 = profile_balanced(diffuse_angle, diffuse_warp, _e90);
+    Light _e94 = look.key;
+    LitLayer _e95 = light_apply_3_(_e94, _e62, _e91);
+    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e95.tone * _e95.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 _e111 = look.back_light_color_concave;
+    metal::float4 _e114 = look.back_light_color_convex;
+    metal::float4 _e117 = look.back_light_color_concave;
+    metal::float4 back_light_color = _e111 + (back_light_convexity * (_e114 - _e117));
+    metal::float3 _e125 = look.back.direction;
+    metal::float3 _e134 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e125), 0.5 * metal::length(surface.normal + _e134)};
+    float _e146 = look.back_light_warp_amount;
+    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e146, -3.1415927, 3.1415927);
+    ProfileShape _e153 = look.back_light_tone_shape;
+    float _e154 = profile_balanced_2_(back_light_angle, back_light_warp, _e153);
+    Light _e157 = look.back;
+    LitLayer _e158 = light_apply(_e157, back_light_color, _e154);
+    Composite _e169 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e158.tone * _e158.color.xyz), 1.0, _e158.color.w, true);
+    float highlight_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    metal::float4 _e191 = look.highlight_color_concave;
+    metal::float4 _e194 = look.highlight_color_convex;
+    metal::float4 _e197 = look.highlight_color_concave;
+    metal::float4 highlight_color = _e191 + (highlight_convexity * (_e194 - _e197));
+    Light _e203 = look.key;
+    Angle _e206 = parametrization_specular_balanced(_e203, surface.normal, surface.view);
     float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float _e190 = profile_balanced_3_(_e182, highlight_warp, highlight_tone_shape);
-    Light _e193 = look.key;
-    LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
-    Composite _e205 = blend_finish(_e157, _e157.xyz + (_e194.tone * _e194.color.xyz), 1.0, _e194.color.w, true);
-    return _e205;
+    float _e214 = profile_balanced_3_(_e206, highlight_warp, highlight_tone_shape);
+    Light _e217 = look.key;
+    LitLayer _e218 = light_apply(_e217, highlight_color, _e214);
+    Composite _e229 = blend_finish(_e169, _e169.xyz + (_e218.tone * _e218.color.xyz), 1.0, _e218.color.w, true);
+    return _e229;
 }
 
 struct vs_mainInput {
@@ -453,16 +420,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -487,16 +449,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -73,17 +73,6 @@ struct Light {
 
 const PI: f32 = 3.14159265358979323846;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -116,17 +105,6 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
-}
-
-/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
-/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
-fn angle_footprint_2(u: Angle) -> f32 {
-    let half = vec2f(u.half_sin, u.half_cos);
-    let dx = dpdx(half);
-    let dy = dpdy(half);
-    let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -146,18 +124,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
@@ -265,6 +231,12 @@ fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
         1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
+fn profile_soft_quick_3(s: f32, shape: ProfileShape) -> f32 {
+    let q = s * shape.scale;
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
+}
+
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
@@ -316,14 +288,14 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if (shape.kind == PROFILE_STEP) | is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
-    let point = profile_soft_quick(place.x, shape);
+    let point = profile_soft_quick_2(place.x, shape);
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
     let r = 0.193649167310370844 * w;
     let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -336,20 +308,20 @@ fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if false | is_narrow {
         return profile_ramp_quick_2(place.x, w, shape);
     }
-    let point = profile_soft_quick_2(place.x, shape);
+    let point = profile_soft_quick_3(place.x, shape);
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
     let r = 0.193649167310370844 * w;
     let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    let before = profile_soft_quick_3(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick_3(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick(warped, angle_footprint_2(warped), shape);
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
@@ -359,38 +331,51 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_3(warped, angle_footprint_2(warped), shape);
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let back_light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.25);
-    let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0), vec4f(0.0706, 0.0784, 0.1098, 1.0));
+    let back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0),
+        vec4f(0.0706, 0.0784, 0.1098, 1.0));
     let fill_lit = light_apply_2(look.key, fill_color, 1.0);
-    let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0), vec4f(0.2471, 0.4, 0.251, 1.0));
-    let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone
+        * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0),
+        vec4f(0.2471, 0.4, 0.251, 1.0));
+    let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     let diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
     let diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
-    let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let back_light_color = look.back_light_color_concave + back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave);
-    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
-    let back_light_warp = (2.0 * back_light_convexity - 1.0) * clamp(look.back_light_warp_amount, -3.141592653589793, 3.14159265358979324);
-    let back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
+    let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0),
+        vec4f(0.0), vec4f(1.0));
+    let back_light_color = look.back_light_color_concave + back_light_convexity
+        * (look.back_light_color_convex - look.back_light_color_concave);
+    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
+    let back_light_warp = (2.0 * back_light_convexity - 1.0)
+        * clamp(look.back_light_warp_amount, -3.141592653589793, 3.14159265358979324);
+    let back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    let back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);
-    let highlight_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.2);
-    let highlight_color = look.highlight_color_concave + highlight_convexity * (look.highlight_color_convex - look.highlight_color_concave);
+    let back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);
+    let highlight_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    let highlight_color = look.highlight_color_concave + highlight_convexity
+        * (look.highlight_color_convex - look.highlight_color_concave);
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
     let highlight_tone = profile_balanced_3(highlight_angle, highlight_warp, highlight_tone_shape);
     let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
-    let highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz + highlight_lit.tone * highlight_lit.color.xyz, 1.0, highlight_lit.color.w, true);
-    let output = highlight_blend;
-    return output;
+    let highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz + highlight_lit.tone
+        * highlight_lit.color.xyz, 1.0, highlight_lit.color.w, true);
+    return highlight_blend;
 }
 
 struct Vertex {
@@ -407,21 +392,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

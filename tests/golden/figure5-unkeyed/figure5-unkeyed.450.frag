@@ -47,7 +47,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
 const ProfileShape back_light_tone_shape = ProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u);
 const ProfileShape highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
@@ -67,15 +66,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -98,33 +92,23 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
-}
-
-LitLayer light_apply(Light light, vec4 color, float tone) {
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
-}
-
-Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
+Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
     vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -181,59 +165,53 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float back_light_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(back_light_convexity, vec4(0.1647, 0.1843, 0.2392, 1.0), vec4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e21 = u_look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 fill_blend = clamp(vec4((vec3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e50 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
-    vec3 _e55 = u_look.key.direction;
-    vec3 _e64 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
+vec4 shade(Surface surface) {
+    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(back_light_convexity, vec4(0.1647, 0.1843, 0.2392, 1.0), vec4(0.0706, 0.0784, 0.1098, 1.0));
+    Light _e33 = u_look.key;
+    LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    vec4 _e45 = blend_add(vec4(0.0784, 0.0863, 0.1137, 1.0), _e35.color, _e35.tone, 1.0, true);
+    vec4 _e56 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
+    vec3 _e61 = u_look.key.direction;
+    vec3 _e70 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface.normal - _e61))), (0.5 * length((surface.normal + _e70))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    float _e77 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e80 = u_look.key;
-    LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
-    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e105 = curvature_color(back_light_convexity, vec4(0.7882, 0.8471, 1.0, 1.0), vec4(0.4784, 0.5608, 0.8157, 1.0));
-    vec3 _e110 = u_look.back.direction;
-    vec3 _e119 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e110))), (0.5 * length((surface_1.normal + _e119))));
+    float _e83 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e86 = u_look.key;
+    LitLayer _e87 = light_apply(_e86, _e56, _e83);
+    vec4 _e92 = blend_add(_e45, _e87.color, _e87.tone, 1.0, true);
+    vec4 _e103 = curvature_color(back_light_convexity, vec4(0.7882, 0.8471, 1.0, 1.0), vec4(0.4784, 0.5608, 0.8157, 1.0));
+    vec3 _e108 = u_look.back.direction;
+    vec3 _e117 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e108))), (0.5 * length((surface.normal + _e117))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.1);
-    float _e132 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e135 = u_look.back;
-    LitLayer _e136 = light_apply_2_(_e135, _e105, _e132);
-    vec4 back_light_blend = clamp(vec4((diffuse_blend.xyz + (_e136.tone * _e136.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e152 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = (0.5 + (0.5 * _e152));
-    vec4 _e164 = curvature_color(highlight_convexity, vec4(1.0), vec4(0.8745, 0.9098, 0.7529, 1.0));
-    Light _e167 = u_look.key;
-    Angle _e170 = parametrization_specular_balanced(_e167, surface_1.normal, surface_1.view);
+    float _e130 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e133 = u_look.back;
+    LitLayer _e134 = light_apply(_e133, _e103, _e130);
+    vec4 _e139 = blend_add(_e92, _e134.color, _e134.tone, 1.0, true);
+    float highlight_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    vec4 _e166 = curvature_color(highlight_convexity, vec4(1.0), vec4(0.8745, 0.9098, 0.7529, 1.0));
+    Light _e169 = u_look.key;
+    Angle _e172 = parametrization_specular_balanced(_e169, surface.normal, surface.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    float _e178 = profile_balanced_2_(_e170, highlight_warp, highlight_tone_shape);
-    Light _e181 = u_look.key;
-    LitLayer _e182 = light_apply_2_(_e181, _e164, _e178);
-    vec4 output_ = clamp(vec4((back_light_blend.xyz + (_e182.tone * _e182.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e180 = profile_balanced_2_(_e172, highlight_warp, highlight_tone_shape);
+    Light _e183 = u_look.key;
+    LitLayer _e184 = light_apply(_e183, _e166, _e180);
+    vec4 _e189 = blend_add(_e139, _e184.color, _e184.tone, 1.0, true);
+    return _e189;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape diffuse_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
 static const ProfileShape back_light_tone_shape = ConstructProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u);
 static const ProfileShape highlight_tone_shape = ConstructProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
@@ -119,16 +118,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -162,14 +155,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -179,32 +167,24 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
-    return litlayer_1;
-}
-
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
     return angle_3;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -266,60 +246,68 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float back_light_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e21 = look.key;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e50 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    float3 _e55 = look.key.direction;
-    float3 _e64 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
+    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
+    Light _e33 = look.key;
+    const LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    const float4 _e45 = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), _e35.color, _e35.tone, 1.0, true);
+    const float4 _e56 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    float3 _e61 = look.key.direction;
+    float3 _e70 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - _e61))), (0.5 * length((surface.normal + _e70))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    const float _e77 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e80 = look.key;
-    const LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
-    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e105 = curvature_color(back_light_convexity, float4(0.7882, 0.8471, 1.0, 1.0), float4(0.4784, 0.5608, 0.8157, 1.0));
-    float3 _e110 = look.back.direction;
-    float3 _e119 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e110))), (0.5 * length((surface_1.normal + _e119))));
+    const float _e83 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e86 = look.key;
+    const LitLayer _e87 = light_apply(_e86, _e56, _e83);
+    const float4 _e92 = blend_add(_e45, _e87.color, _e87.tone, 1.0, true);
+    const float4 _e103 = curvature_color(back_light_convexity, float4(0.7882, 0.8471, 1.0, 1.0), float4(0.4784, 0.5608, 0.8157, 1.0));
+    float3 _e108 = look.back.direction;
+    float3 _e117 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e108))), (0.5 * length((surface.normal + _e117))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.1);
-    const float _e132 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e135 = look.back;
-    const LitLayer _e136 = light_apply_2_(_e135, _e105, _e132);
-    float4 back_light_blend = clamp(float4((diffuse_blend.xyz + (_e136.tone * _e136.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e152 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = (0.5 + (0.5 * _e152));
-    const float4 _e164 = curvature_color(highlight_convexity, (1.0).xxxx, float4(0.8745, 0.9098, 0.7529, 1.0));
-    Light _e167 = look.key;
-    const Angle _e170 = parametrization_specular_balanced(_e167, surface_1.normal, surface_1.view);
+    const float _e130 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e133 = look.back;
+    const LitLayer _e134 = light_apply(_e133, _e103, _e130);
+    const float4 _e139 = blend_add(_e92, _e134.color, _e134.tone, 1.0, true);
+    float highlight_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    const float4 _e166 = curvature_color(highlight_convexity, (1.0).xxxx, float4(0.8745, 0.9098, 0.7529, 1.0));
+    Light _e169 = look.key;
+    const Angle _e172 = parametrization_specular_balanced(_e169, surface.normal, surface.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float _e178 = profile_balanced_2_(_e170, highlight_warp, highlight_tone_shape);
-    Light _e181 = look.key;
-    const LitLayer _e182 = light_apply_2_(_e181, _e164, _e178);
-    float4 output = clamp(float4((back_light_blend.xyz + (_e182.tone * _e182.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e180 = profile_balanced_2_(_e172, highlight_warp, highlight_tone_shape);
+    Light _e183 = look.key;
+    const LitLayer _e184 = light_apply(_e183, _e166, _e180);
+    const float4 _e189 = blend_add(_e139, _e184.color, _e184.tone, 1.0, true);
+    return _e189;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -330,17 +318,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

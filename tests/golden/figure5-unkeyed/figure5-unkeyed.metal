@@ -38,6 +38,7 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -66,7 +67,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape diffuse_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u};
 constant ProfileShape back_light_tone_shape = ProfileShape {0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u};
 constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
@@ -80,17 +80,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -122,45 +115,32 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
+Composite blend_add(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
-) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
-}
-
-LitLayer light_apply_2_(
-    Light light_1,
     Color color_1,
     float tone_1
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
 }
 
 float profile_soft_quick(
@@ -168,8 +148,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -247,44 +226,42 @@ float profile_balanced_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float back_light_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e50 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
-    metal::float3 _e55 = look.key.direction;
-    metal::float3 _e64 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
+    float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
+    Color _e30 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
+    Light _e33 = look.key;
+    LitLayer _e35 = light_apply(_e33, _e30, 1.0);
+    Composite _e45 = blend_add(metal::float4(0.0784, 0.0863, 0.1137, 1.0), _e35.color, _e35.tone, 1.0, true);
+    Color _e56 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
+    metal::float3 _e61 = look.key.direction;
+    metal::float3 _e70 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - _e61), 0.5 * metal::length(surface.normal + _e70)};
     float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
-    float _e77 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e80 = look.key;
-    LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e81.tone * _e81.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e105 = curvature_color(back_light_convexity, metal::float4(0.7882, 0.8471, 1.0, 1.0), metal::float4(0.4784, 0.5608, 0.8157, 1.0));
-    metal::float3 _e110 = look.back.direction;
-    metal::float3 _e119 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e110), 0.5 * metal::length(surface_1.normal + _e119)};
+    float _e83 = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e86 = look.key;
+    LitLayer _e87 = light_apply(_e86, _e56, _e83);
+    Composite _e92 = blend_add(_e45, _e87.color, _e87.tone, 1.0, true);
+    Color _e103 = curvature_color(back_light_convexity, metal::float4(0.7882, 0.8471, 1.0, 1.0), metal::float4(0.4784, 0.5608, 0.8157, 1.0));
+    metal::float3 _e108 = look.back.direction;
+    metal::float3 _e117 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e108), 0.5 * metal::length(surface.normal + _e117)};
     float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * 0.1;
-    float _e132 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e135 = look.back;
-    LitLayer _e136 = light_apply_2_(_e135, _e105, _e132);
-    metal::float4 back_light_blend = metal::clamp(metal::float4(diffuse_blend.xyz + (_e136.tone * _e136.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e152 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = 0.5 + (0.5 * _e152);
-    Color _e164 = curvature_color(highlight_convexity, metal::float4(1.0), metal::float4(0.8745, 0.9098, 0.7529, 1.0));
-    Light _e167 = look.key;
-    Angle _e170 = parametrization_specular_balanced(_e167, surface_1.normal, surface_1.view);
+    float _e130 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e133 = look.back;
+    LitLayer _e134 = light_apply(_e133, _e103, _e130);
+    Composite _e139 = blend_add(_e92, _e134.color, _e134.tone, 1.0, true);
+    float highlight_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    Color _e166 = curvature_color(highlight_convexity, metal::float4(1.0), metal::float4(0.8745, 0.9098, 0.7529, 1.0));
+    Light _e169 = look.key;
+    Angle _e172 = parametrization_specular_balanced(_e169, surface.normal, surface.view);
     float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float _e178 = profile_balanced_2_(_e170, highlight_warp, highlight_tone_shape);
-    Light _e181 = look.key;
-    LitLayer _e182 = light_apply_2_(_e181, _e164, _e178);
-    metal::float4 output = metal::clamp(metal::float4(back_light_blend.xyz + (_e182.tone * _e182.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e180 = profile_balanced_2_(_e172, highlight_warp, highlight_tone_shape);
+    Light _e183 = look.key;
+    LitLayer _e184 = light_apply(_e183, _e166, _e180);
+    Composite _e189 = blend_add(_e139, _e184.color, _e184.tone, 1.0, true);
+    return _e189;
 }
 
 struct vs_mainInput {
@@ -302,16 +279,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -336,16 +308,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -95,12 +95,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+float transition_balanced(float kappa, float slope) {
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -109,16 +105,15 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 
 LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
+    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
 }
 
-Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+Angle parametrization_specular_balanced(Light light_2, vec3 normal_1, vec3 view) {
+    vec3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
     return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
 }
 
@@ -137,76 +132,66 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_1) {
     return _e15;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float key_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(key_convexity, vec4(0.7059, 0.3412, 0.2902, 1.0), vec4(0.2941, 0.1098, 0.2, 1.0));
-    Light _e21 = u_look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_alpha(vec4(0.8863, 0.6275, 0.4353, 1.0), _e23.color, _e23.tone, 1.0, true);
-    vec4 _e44 = curvature_color(key_convexity, vec4(0.9529, 0.6902, 0.4392, 1.0), vec4(0.7686, 0.3451, 0.2902, 1.0));
-    vec3 _e49 = u_look.key.direction;
-    vec3 _e58 = u_look.key.direction;
-    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
-    float key_warp = (((2.0 * key_convexity) - 1.0) * 0.45);
-    float _e71 = profile_balanced(light_angle, key_warp, key_tone_shape);
-    Light _e74 = u_look.key;
-    LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    vec4 key_blend = clamp(vec4((_e33.xyz + (_e75.tone * (_e75.color.xyz - _e33.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e93 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_convexity = (0.5 + (0.5 * _e93));
-    vec4 _e108 = curvature_color(light_convexity, vec4(0.8157, 0.4863, 0.3686, 1.0), vec4(0.549, 0.2275, 0.298, 1.0));
-    vec3 _e113 = u_look.fill.direction;
-    vec3 _e122 = u_look.fill.direction;
-    Angle bounce_angle = Angle((0.5 * length((surface_1.normal - _e113))), (0.5 * length((surface_1.normal + _e122))));
-    float bounce_warp = (((2.0 * light_convexity) - 1.0) * 0.35);
-    float _e135 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e138 = u_look.fill;
-    LitLayer _e139 = light_apply_2_(_e138, _e108, _e135);
-    vec4 bounce_blend = clamp(vec4((key_blend.xyz + (_e139.tone * (_e139.color.xyz - key_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e165 = curvature_color(light_convexity, vec4(1.0, 0.851, 0.6275, 1.0), vec4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    float _e173 = profile_balanced(light_angle, light_warp, light_tone_shape);
+vec4 shade(Surface surface) {
+    float _e3 = transition_balanced(surface.kappa, 0.35);
+    vec4 _e14 = curvature_color(_e3, vec4(0.7059, 0.3412, 0.2902, 1.0), vec4(0.2941, 0.1098, 0.2, 1.0));
+    Light _e17 = u_look.key;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    vec4 _e29 = blend_alpha(vec4(0.8863, 0.6275, 0.4353, 1.0), _e19.color, _e19.tone, 1.0, true);
+    vec4 _e40 = curvature_color(_e3, vec4(0.9529, 0.6902, 0.4392, 1.0), vec4(0.7686, 0.3451, 0.2902, 1.0));
+    Light _e43 = u_look.key;
+    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float key_warp = (((2.0 * _e3) - 1.0) * 0.45);
+    float _e53 = profile_balanced(_e45, key_warp, key_tone_shape);
+    Light _e56 = u_look.key;
+    LitLayer _e57 = light_apply(_e56, _e40, _e53);
+    vec4 _e62 = blend_alpha(_e29, _e57.color, _e57.tone, 1.0, true);
+    float _e65 = transition_balanced(surface.kappa, 0.3);
+    vec4 _e76 = curvature_color(_e65, vec4(0.8157, 0.4863, 0.3686, 1.0), vec4(0.549, 0.2275, 0.298, 1.0));
+    Light _e79 = u_look.fill;
+    Angle _e81 = parametrization_diffuse_balanced(_e79, surface.normal);
+    float bounce_warp = (((2.0 * _e65) - 1.0) * 0.35);
+    float _e89 = profile_balanced(_e81, bounce_warp, bounce_tone_shape);
+    Light _e92 = u_look.fill;
+    LitLayer _e93 = light_apply(_e92, _e76, _e89);
+    vec4 _e98 = blend_alpha(_e62, _e93.color, _e93.tone, 1.0, true);
+    vec4 _e109 = curvature_color(_e65, vec4(1.0, 0.851, 0.6275, 1.0), vec4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = (((2.0 * _e65) - 1.0) * 0.3);
+    float _e117 = profile_balanced(_e45, light_warp, light_tone_shape);
+    Light _e120 = u_look.key;
+    LitLayer _e121 = light_apply(_e120, _e109, _e117);
+    vec4 _e126 = blend_alpha(_e98, _e121.color, _e121.tone, 1.0, true);
+    float _e129 = transition_balanced(surface.kappa, 0.25);
+    vec4 _e140 = curvature_color(_e129, vec4(1.0, 0.9569, 0.8627, 1.0), vec4(0.949, 0.6588, 0.4196, 1.0));
+    Light _e143 = u_look.rim;
+    Angle _e145 = parametrization_diffuse_balanced(_e143, surface.normal);
+    float rim_warp = (((2.0 * _e129) - 1.0) * 0.2);
+    float _e153 = profile_balanced(_e145, rim_warp, rim_tone_shape);
+    Light _e156 = u_look.rim;
+    LitLayer _e157 = light_apply(_e156, _e140, _e153);
+    vec4 _e162 = blend_alpha(_e126, _e157.color, _e157.tone, 1.0, true);
+    vec4 _e173 = curvature_color(_e129, vec4(1.0, 0.9804, 0.9412, 1.0), vec4(1.0, 0.8863, 0.7216, 1.0));
     Light _e176 = u_look.key;
-    LitLayer _e177 = light_apply_2_(_e176, _e165, _e173);
-    vec4 light_blend = clamp(vec4((bounce_blend.xyz + (_e177.tone * (_e177.color.xyz - bounce_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e195 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float highlight_convexity = (0.5 + (0.5 * _e195));
-    vec4 _e210 = curvature_color(highlight_convexity, vec4(1.0, 0.9569, 0.8627, 1.0), vec4(0.949, 0.6588, 0.4196, 1.0));
-    vec3 _e215 = u_look.rim.direction;
-    vec3 _e224 = u_look.rim.direction;
-    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e215))), (0.5 * length((surface_1.normal + _e224))));
-    float rim_warp = (((2.0 * highlight_convexity) - 1.0) * 0.2);
-    float _e237 = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
-    Light _e240 = u_look.rim;
-    LitLayer _e241 = light_apply_2_(_e240, _e210, _e237);
-    vec4 rim_blend = clamp(vec4((light_blend.xyz + (_e241.tone * (_e241.color.xyz - light_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e267 = curvature_color(highlight_convexity, vec4(1.0, 0.9804, 0.9412, 1.0), vec4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e270 = u_look.key;
-    Angle _e273 = parametrization_specular_balanced(_e270, surface_1.normal, surface_1.view);
-    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.1);
-    float _e281 = profile_balanced(_e273, highlight_warp, highlight_tone_shape);
-    Light _e284 = u_look.key;
-    LitLayer _e285 = light_apply_2_(_e284, _e267, _e281);
-    vec4 output_ = clamp(vec4((rim_blend.xyz + (_e285.tone * (_e285.color.xyz - rim_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    Angle _e179 = parametrization_specular_balanced(_e176, surface.normal, surface.view);
+    float highlight_warp = (((2.0 * _e129) - 1.0) * 0.1);
+    float _e187 = profile_balanced(_e179, highlight_warp, highlight_tone_shape);
+    Light _e190 = u_look.key;
+    LitLayer _e191 = light_apply(_e190, _e173, _e187);
+    vec4 _e196 = blend_alpha(_e162, _e191.color, _e191.tone, 1.0, true);
+    return _e196;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec3 normal_2 = (is_front ? _e3 : -(_e3));
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -103,13 +103,13 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_1 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -158,14 +158,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -183,22 +178,21 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
 {
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
-    return litlayer_1;
+    const Angle angle_2 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+    return angle_2;
 }
 
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_2, float3 normal_1, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
-    return angle_2;
+    float3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    return angle_3;
 }
 
 float profile_ramp_quick(float s, float w, ProfileShape shape)
@@ -218,77 +212,81 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_1)
     return _e15;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float key_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(key_convexity, float4(0.7059, 0.3412, 0.2902, 1.0), float4(0.2941, 0.1098, 0.2, 1.0));
-    Light _e21 = look.key;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    const float4 _e33 = blend_alpha(float4(0.8863, 0.6275, 0.4353, 1.0), _e23.color, _e23.tone, 1.0, true);
-    const float4 _e44 = curvature_color(key_convexity, float4(0.9529, 0.6902, 0.4392, 1.0), float4(0.7686, 0.3451, 0.2902, 1.0));
-    float3 _e49 = look.key.direction;
-    float3 _e58 = look.key.direction;
-    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
-    float key_warp = (((2.0 * key_convexity) - 1.0) * 0.45);
-    const float _e71 = profile_balanced(light_angle, key_warp, key_tone_shape);
-    Light _e74 = look.key;
-    const LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    float4 key_blend = clamp(float4((_e33.xyz + (_e75.tone * (_e75.color.xyz - _e33.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e93 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_convexity = (0.5 + (0.5 * _e93));
-    const float4 _e108 = curvature_color(light_convexity, float4(0.8157, 0.4863, 0.3686, 1.0), float4(0.549, 0.2275, 0.298, 1.0));
-    float3 _e113 = look.fill.direction;
-    float3 _e122 = look.fill.direction;
-    Angle bounce_angle = ConstructAngle((0.5 * length((surface_1.normal - _e113))), (0.5 * length((surface_1.normal + _e122))));
-    float bounce_warp = (((2.0 * light_convexity) - 1.0) * 0.35);
-    const float _e135 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e138 = look.fill;
-    const LitLayer _e139 = light_apply_2_(_e138, _e108, _e135);
-    float4 bounce_blend = clamp(float4((key_blend.xyz + (_e139.tone * (_e139.color.xyz - key_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e165 = curvature_color(light_convexity, float4(1.0, 0.851, 0.6275, 1.0), float4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    const float _e173 = profile_balanced(light_angle, light_warp, light_tone_shape);
+    const float _e3 = transition_balanced(surface.kappa, 0.35);
+    const float4 _e14 = curvature_color(_e3, float4(0.7059, 0.3412, 0.2902, 1.0), float4(0.2941, 0.1098, 0.2, 1.0));
+    Light _e17 = look.key;
+    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    const float4 _e29 = blend_alpha(float4(0.8863, 0.6275, 0.4353, 1.0), _e19.color, _e19.tone, 1.0, true);
+    const float4 _e40 = curvature_color(_e3, float4(0.9529, 0.6902, 0.4392, 1.0), float4(0.7686, 0.3451, 0.2902, 1.0));
+    Light _e43 = look.key;
+    const Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float key_warp = (((2.0 * _e3) - 1.0) * 0.45);
+    const float _e53 = profile_balanced(_e45, key_warp, key_tone_shape);
+    Light _e56 = look.key;
+    const LitLayer _e57 = light_apply(_e56, _e40, _e53);
+    const float4 _e62 = blend_alpha(_e29, _e57.color, _e57.tone, 1.0, true);
+    const float _e65 = transition_balanced(surface.kappa, 0.3);
+    const float4 _e76 = curvature_color(_e65, float4(0.8157, 0.4863, 0.3686, 1.0), float4(0.549, 0.2275, 0.298, 1.0));
+    Light _e79 = look.fill;
+    const Angle _e81 = parametrization_diffuse_balanced(_e79, surface.normal);
+    float bounce_warp = (((2.0 * _e65) - 1.0) * 0.35);
+    const float _e89 = profile_balanced(_e81, bounce_warp, bounce_tone_shape);
+    Light _e92 = look.fill;
+    const LitLayer _e93 = light_apply(_e92, _e76, _e89);
+    const float4 _e98 = blend_alpha(_e62, _e93.color, _e93.tone, 1.0, true);
+    const float4 _e109 = curvature_color(_e65, float4(1.0, 0.851, 0.6275, 1.0), float4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = (((2.0 * _e65) - 1.0) * 0.3);
+    const float _e117 = profile_balanced(_e45, light_warp, light_tone_shape);
+    Light _e120 = look.key;
+    const LitLayer _e121 = light_apply(_e120, _e109, _e117);
+    const float4 _e126 = blend_alpha(_e98, _e121.color, _e121.tone, 1.0, true);
+    const float _e129 = transition_balanced(surface.kappa, 0.25);
+    const float4 _e140 = curvature_color(_e129, float4(1.0, 0.9569, 0.8627, 1.0), float4(0.949, 0.6588, 0.4196, 1.0));
+    Light _e143 = look.rim;
+    const Angle _e145 = parametrization_diffuse_balanced(_e143, surface.normal);
+    float rim_warp = (((2.0 * _e129) - 1.0) * 0.2);
+    const float _e153 = profile_balanced(_e145, rim_warp, rim_tone_shape);
+    Light _e156 = look.rim;
+    const LitLayer _e157 = light_apply(_e156, _e140, _e153);
+    const float4 _e162 = blend_alpha(_e126, _e157.color, _e157.tone, 1.0, true);
+    const float4 _e173 = curvature_color(_e129, float4(1.0, 0.9804, 0.9412, 1.0), float4(1.0, 0.8863, 0.7216, 1.0));
     Light _e176 = look.key;
-    const LitLayer _e177 = light_apply_2_(_e176, _e165, _e173);
-    float4 light_blend = clamp(float4((bounce_blend.xyz + (_e177.tone * (_e177.color.xyz - bounce_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e195 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float highlight_convexity = (0.5 + (0.5 * _e195));
-    const float4 _e210 = curvature_color(highlight_convexity, float4(1.0, 0.9569, 0.8627, 1.0), float4(0.949, 0.6588, 0.4196, 1.0));
-    float3 _e215 = look.rim.direction;
-    float3 _e224 = look.rim.direction;
-    Angle rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e215))), (0.5 * length((surface_1.normal + _e224))));
-    float rim_warp = (((2.0 * highlight_convexity) - 1.0) * 0.2);
-    const float _e237 = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
-    Light _e240 = look.rim;
-    const LitLayer _e241 = light_apply_2_(_e240, _e210, _e237);
-    float4 rim_blend = clamp(float4((light_blend.xyz + (_e241.tone * (_e241.color.xyz - light_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e267 = curvature_color(highlight_convexity, float4(1.0, 0.9804, 0.9412, 1.0), float4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e270 = look.key;
-    const Angle _e273 = parametrization_specular_balanced(_e270, surface_1.normal, surface_1.view);
-    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.1);
-    const float _e281 = profile_balanced(_e273, highlight_warp, highlight_tone_shape);
-    Light _e284 = look.key;
-    const LitLayer _e285 = light_apply_2_(_e284, _e267, _e281);
-    float4 output = clamp(float4((rim_blend.xyz + (_e285.tone * (_e285.color.xyz - rim_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const Angle _e179 = parametrization_specular_balanced(_e176, surface.normal, surface.view);
+    float highlight_warp = (((2.0 * _e129) - 1.0) * 0.1);
+    const float _e187 = profile_balanced(_e179, highlight_warp, highlight_tone_shape);
+    Light _e190 = look.key;
+    const LitLayer _e191 = light_apply(_e190, _e173, _e187);
+    const float4 _e196 = blend_alpha(_e162, _e191.color, _e191.tone, 1.0, true);
+    return _e196;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -297,19 +295,14 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float3 normal_4 = (is_front ? _e3 : -(_e3));
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

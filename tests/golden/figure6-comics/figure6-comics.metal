@@ -118,18 +118,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
 Composite blend_alpha(
@@ -148,24 +141,22 @@ LitLayer light_apply(
     float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
-LitLayer light_apply_2_(
+Angle parametrization_diffuse_balanced(
     Light light_1,
-    Color color_2,
-    float tone_2
+    metal::float3 normal
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), tone_2 * split_1.x};
+    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
 }
 
 Angle parametrization_specular_balanced(
     Light light_2,
-    metal::float3 normal,
+    metal::float3 normal_1,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
     return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
 }
 
@@ -193,66 +184,60 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float key_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(key_convexity, metal::float4(0.7059, 0.3412, 0.2902, 1.0), metal::float4(0.2941, 0.1098, 0.2, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    Composite _e33 = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0), _e23.color, _e23.tone, 1.0, true);
-    Color _e44 = curvature_color(key_convexity, metal::float4(0.9529, 0.6902, 0.4392, 1.0), metal::float4(0.7686, 0.3451, 0.2902, 1.0));
-    metal::float3 _e49 = look.key.direction;
-    metal::float3 _e58 = look.key.direction;
-    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e49), 0.5 * metal::length(surface_1.normal + _e58)};
-    float key_warp = ((2.0 * key_convexity) - 1.0) * 0.45;
-    float _e71 = profile_balanced(light_angle, key_warp, key_tone_shape);
-    Light _e74 = look.key;
-    LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    metal::float4 key_blend = metal::clamp(metal::float4(_e33.xyz + (_e75.tone * (_e75.color.xyz - _e33.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e93 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_convexity = 0.5 + (0.5 * _e93);
-    Color _e108 = curvature_color(light_convexity, metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
-    metal::float3 _e113 = look.fill.direction;
-    metal::float3 _e122 = look.fill.direction;
-    Angle bounce_angle = Angle {0.5 * metal::length(surface_1.normal - _e113), 0.5 * metal::length(surface_1.normal + _e122)};
-    float bounce_warp = ((2.0 * light_convexity) - 1.0) * 0.35;
-    float _e135 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e138 = look.fill;
-    LitLayer _e139 = light_apply_2_(_e138, _e108, _e135);
-    metal::float4 bounce_blend = metal::clamp(metal::float4(key_blend.xyz + (_e139.tone * (_e139.color.xyz - key_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e165 = curvature_color(light_convexity, metal::float4(1.0, 0.851, 0.6275, 1.0), metal::float4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
-    float _e173 = profile_balanced(light_angle, light_warp, light_tone_shape);
+    float _e3 = transition_balanced(surface.kappa, 0.35);
+    Color _e14 = curvature_color(_e3, metal::float4(0.7059, 0.3412, 0.2902, 1.0), metal::float4(0.2941, 0.1098, 0.2, 1.0));
+    Light _e17 = look.key;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    Composite _e29 = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0), _e19.color, _e19.tone, 1.0, true);
+    Color _e40 = curvature_color(_e3, metal::float4(0.9529, 0.6902, 0.4392, 1.0), metal::float4(0.7686, 0.3451, 0.2902, 1.0));
+    Light _e43 = look.key;
+    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float key_warp = ((2.0 * _e3) - 1.0) * 0.45;
+    float _e53 = profile_balanced(_e45, key_warp, key_tone_shape);
+    Light _e56 = look.key;
+    LitLayer _e57 = light_apply(_e56, _e40, _e53);
+    Composite _e62 = blend_alpha(_e29, _e57.color, _e57.tone, 1.0, true);
+    float _e65 = transition_balanced(surface.kappa, 0.3);
+    Color _e76 = curvature_color(_e65, metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
+    Light _e79 = look.fill;
+    Angle _e81 = parametrization_diffuse_balanced(_e79, surface.normal);
+    float bounce_warp = ((2.0 * _e65) - 1.0) * 0.35;
+    float _e89 = profile_balanced(_e81, bounce_warp, bounce_tone_shape);
+    Light _e92 = look.fill;
+    LitLayer _e93 = light_apply(_e92, _e76, _e89);
+    Composite _e98 = blend_alpha(_e62, _e93.color, _e93.tone, 1.0, true);
+    Color _e109 = curvature_color(_e65, metal::float4(1.0, 0.851, 0.6275, 1.0), metal::float4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = ((2.0 * _e65) - 1.0) * 0.3;
+    float _e117 = profile_balanced(_e45, light_warp, light_tone_shape);
+    Light _e120 = look.key;
+    LitLayer _e121 = light_apply(_e120, _e109, _e117);
+    Composite _e126 = blend_alpha(_e98, _e121.color, _e121.tone, 1.0, true);
+    float _e129 = transition_balanced(surface.kappa, 0.25);
+    Color _e140 = curvature_color(_e129, metal::float4(1.0, 0.9569, 0.8627, 1.0), metal::float4(0.949, 0.6588, 0.4196, 1.0));
+    Light _e143 = look.rim;
+    Angle _e145 = parametrization_diffuse_balanced(_e143, surface.normal);
+    float rim_warp = ((2.0 * _e129) - 1.0) * 0.2;
+    float _e153 = profile_balanced(_e145, rim_warp, rim_tone_shape);
+    Light _e156 = look.rim;
+    LitLayer _e157 = light_apply(_e156, _e140, _e153);
+    Composite _e162 = blend_alpha(_e126, _e157.color, _e157.tone, 1.0, true);
+    Color _e173 = curvature_color(_e129, metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
     Light _e176 = look.key;
-    LitLayer _e177 = light_apply_2_(_e176, _e165, _e173);
-    metal::float4 light_blend = metal::clamp(metal::float4(bounce_blend.xyz + (_e177.tone * (_e177.color.xyz - bounce_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e195 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float highlight_convexity = 0.5 + (0.5 * _e195);
-    Color _e210 = curvature_color(highlight_convexity, metal::float4(1.0, 0.9569, 0.8627, 1.0), metal::float4(0.949, 0.6588, 0.4196, 1.0));
-    metal::float3 _e215 = look.rim.direction;
-    metal::float3 _e224 = look.rim.direction;
-    Angle rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e215), 0.5 * metal::length(surface_1.normal + _e224)};
-    float rim_warp = ((2.0 * highlight_convexity) - 1.0) * 0.2;
-    float _e237 = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
-    Light _e240 = look.rim;
-    LitLayer _e241 = light_apply_2_(_e240, _e210, _e237);
-    metal::float4 rim_blend = metal::clamp(metal::float4(light_blend.xyz + (_e241.tone * (_e241.color.xyz - light_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e267 = curvature_color(highlight_convexity, metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e270 = look.key;
-    Angle _e273 = parametrization_specular_balanced(_e270, surface_1.normal, surface_1.view);
-    float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.1;
-    float _e281 = profile_balanced(_e273, highlight_warp, highlight_tone_shape);
-    Light _e284 = look.key;
-    LitLayer _e285 = light_apply_2_(_e284, _e267, _e281);
-    metal::float4 output = metal::clamp(metal::float4(rim_blend.xyz + (_e285.tone * (_e285.color.xyz - rim_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    Angle _e179 = parametrization_specular_balanced(_e176, surface.normal, surface.view);
+    float highlight_warp = ((2.0 * _e129) - 1.0) * 0.1;
+    float _e187 = profile_balanced(_e179, highlight_warp, highlight_tone_shape);
+    Light _e190 = look.key;
+    LitLayer _e191 = light_apply(_e190, _e173, _e187);
+    Composite _e196 = blend_alpha(_e162, _e191.color, _e191.tone, 1.0, true);
+    return _e196;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal_2 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -264,17 +249,12 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
+    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -285,7 +265,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_1 [[user(loc1), center_perspective]];
+    metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -298,17 +278,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

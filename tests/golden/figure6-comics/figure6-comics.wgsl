@@ -110,16 +110,9 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -133,15 +126,6 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
@@ -150,6 +134,10 @@ struct LitLayer {
     color: Color,
     /// The tone under this light.
     tone: f32,
+}
+
+fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
@@ -199,43 +187,50 @@ const highlight_tone_shape = ProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.2
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let key_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.35);
-    let shadow_color = curvature_color(key_convexity, vec4f(0.7059, 0.3412, 0.2902, 1.0), vec4f(0.2941, 0.1098, 0.2, 1.0));
+    let key_convexity = transition_balanced(surface.kappa, 0.35);
+    let shadow_color = curvature_color(key_convexity, vec4f(0.7059, 0.3412, 0.2902, 1.0),
+        vec4f(0.2941, 0.1098, 0.2, 1.0));
     let shadow_lit = light_apply(look.key, shadow_color, 1.0);
-    let shadow_blend = blend_alpha(vec4f(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
-    let key_color = curvature_color(key_convexity, vec4f(0.9529, 0.6902, 0.4392, 1.0), vec4f(0.7686, 0.3451, 0.2902, 1.0));
-    let light_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let shadow_blend = blend_alpha(vec4f(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color,
+        shadow_lit.tone, 1.0, true);
+    let key_color = curvature_color(key_convexity, vec4f(0.9529, 0.6902, 0.4392, 1.0),
+        vec4f(0.7686, 0.3451, 0.2902, 1.0));
+    let light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
     let key_warp = (2.0 * key_convexity - 1.0) * 0.45;
     let key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
-    let key_lit = light_apply_2(look.key, key_color, key_tone);
-    let key_blend = clamp(vec4f(shadow_blend.xyz + key_lit.tone * (key_lit.color.xyz - shadow_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
-    let bounce_color = curvature_color(light_convexity, vec4f(0.8157, 0.4863, 0.3686, 1.0), vec4f(0.549, 0.2275, 0.298, 1.0));
-    let bounce_angle = Angle(0.5 * length(surface.normal - look.fill.direction), 0.5 * length(surface.normal + look.fill.direction));
+    let key_lit = light_apply(look.key, key_color, key_tone);
+    let key_blend = blend_alpha(shadow_blend, key_lit.color, key_lit.tone, 1.0, true);
+    let light_convexity = transition_balanced(surface.kappa, 0.3);
+    let bounce_color = curvature_color(light_convexity, vec4f(0.8157, 0.4863, 0.3686, 1.0),
+        vec4f(0.549, 0.2275, 0.298, 1.0));
+    let bounce_angle = parametrization_diffuse_balanced(look.fill, surface.normal);
     let bounce_warp = (2.0 * light_convexity - 1.0) * 0.35;
     let bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    let bounce_lit = light_apply_2(look.fill, bounce_color, bounce_tone);
-    let bounce_blend = clamp(vec4f(key_blend.xyz + bounce_lit.tone * (bounce_lit.color.xyz - key_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let light_color = curvature_color(light_convexity, vec4f(1.0, 0.851, 0.6275, 1.0), vec4f(0.9412, 0.6431, 0.4078, 1.0));
+    let bounce_lit = light_apply(look.fill, bounce_color, bounce_tone);
+    let bounce_blend = blend_alpha(key_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
+    let light_color = curvature_color(light_convexity, vec4f(1.0, 0.851, 0.6275, 1.0),
+        vec4f(0.9412, 0.6431, 0.4078, 1.0));
     let light_warp = (2.0 * light_convexity - 1.0) * 0.3;
     let light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
-    let light_lit = light_apply_2(look.key, light_color, light_tone);
-    let light_blend = clamp(vec4f(bounce_blend.xyz + light_lit.tone * (light_lit.color.xyz - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let highlight_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.25);
-    let rim_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9569, 0.8627, 1.0), vec4f(0.949, 0.6588, 0.4196, 1.0));
-    let rim_angle = Angle(0.5 * length(surface.normal - look.rim.direction), 0.5 * length(surface.normal + look.rim.direction));
+    let light_lit = light_apply(look.key, light_color, light_tone);
+    let light_blend = blend_alpha(bounce_blend, light_lit.color, light_lit.tone, 1.0, true);
+    let highlight_convexity = transition_balanced(surface.kappa, 0.25);
+    let rim_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9569, 0.8627, 1.0),
+        vec4f(0.949, 0.6588, 0.4196, 1.0));
+    let rim_angle = parametrization_diffuse_balanced(look.rim, surface.normal);
     let rim_warp = (2.0 * highlight_convexity - 1.0) * 0.2;
     let rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
-    let rim_lit = light_apply_2(look.rim, rim_color, rim_tone);
-    let rim_blend = clamp(vec4f(light_blend.xyz + rim_lit.tone * (rim_lit.color.xyz - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let highlight_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9804, 0.9412, 1.0), vec4f(1.0, 0.8863, 0.7216, 1.0));
+    let rim_lit = light_apply(look.rim, rim_color, rim_tone);
+    let rim_blend = blend_alpha(light_blend, rim_lit.color, rim_lit.tone, 1.0, true);
+    let highlight_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9804, 0.9412, 1.0),
+        vec4f(1.0, 0.8863, 0.7216, 1.0));
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.1;
     let highlight_tone = profile_balanced(highlight_angle, highlight_warp, highlight_tone_shape);
-    let highlight_lit = light_apply_2(look.key, highlight_color, highlight_tone);
-    let highlight_blend = clamp(vec4f(rim_blend.xyz + highlight_lit.tone * (highlight_lit.color.xyz - rim_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = highlight_blend;
-    return output;
+    let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
+    let highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0,
+        true);
+    return highlight_blend;
 }
 
 struct Vertex {
@@ -252,21 +247,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

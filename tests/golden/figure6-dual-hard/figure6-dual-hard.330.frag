@@ -47,7 +47,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u);
 const ProfileShape cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u);
 const ProfileShape cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u);
@@ -67,15 +66,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -98,17 +92,13 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
-LitLayer light_apply(Light light, vec4 color, float tone) {
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
@@ -118,8 +108,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -155,55 +144,49 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float cool_side_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(cool_side_convexity, vec4(0.9412, 0.6588, 0.3765, 1.0), vec4(0.6039, 0.2275, 0.1412, 1.0));
-    vec3 _e23 = u_look.warm.direction;
-    vec3 _e32 = u_look.warm.direction;
-    Angle warm_side_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+vec4 shade(Surface surface) {
+    float cool_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(cool_side_convexity, vec4(0.9412, 0.6588, 0.3765, 1.0), vec4(0.6039, 0.2275, 0.1412, 1.0));
+    vec3 _e35 = u_look.warm.direction;
+    vec3 _e44 = u_look.warm.direction;
+    Angle warm_side_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.45);
-    float _e45 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e48 = u_look.warm;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 warm_side_blend = clamp(vec4((vec3(0.0314, 0.0275, 0.0392) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e76 = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0), vec4(0.1451, 0.251, 0.4353, 1.0));
-    vec3 _e81 = u_look.cool.direction;
-    vec3 _e90 = u_look.cool.direction;
-    Angle cool_side_angle = Angle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
+    float _e57 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e60 = u_look.warm;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    vec4 _e71 = blend_add(vec4(0.0314, 0.0275, 0.0392, 1.0), _e61.color, _e61.tone, 1.0, true);
+    vec4 _e82 = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0), vec4(0.1451, 0.251, 0.4353, 1.0));
+    vec3 _e87 = u_look.cool.direction;
+    vec3 _e96 = u_look.cool.direction;
+    Angle cool_side_angle = Angle((0.5 * length((surface.normal - _e87))), (0.5 * length((surface.normal + _e96))));
     float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.4);
-    float _e103 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e106 = u_look.cool;
-    LitLayer _e107 = light_apply(_e106, _e76, _e103);
-    vec4 cool_side_blend = clamp(vec4((warm_side_blend.xyz + (_e107.tone * _e107.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e123 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float cool_edge_convexity = (0.5 + (0.5 * _e123));
-    vec4 _e138 = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0), vec4(0.1255, 0.1412, 0.1569, 1.0));
-    Light _e141 = u_look.cool;
-    Angle _e144 = parametrization_specular_balanced(_e141, surface_1.normal, surface_1.view);
+    float _e109 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e112 = u_look.cool;
+    LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    vec4 _e118 = blend_add(_e71, _e113.color, _e113.tone, 1.0, true);
+    float cool_edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
+    vec4 _e148 = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0), vec4(0.1255, 0.1412, 0.1569, 1.0));
+    Light _e151 = u_look.cool;
+    Angle _e154 = parametrization_specular_balanced(_e151, surface.normal, surface.view);
     float cool_edge_warp = (((2.0 * cool_edge_convexity) - 1.0) * 0.2);
-    float _e152 = profile_balanced(_e144, cool_edge_warp, cool_edge_tone_shape);
-    Light _e155 = u_look.cool;
-    LitLayer _e156 = light_apply(_e155, _e138, _e152);
-    vec4 output_ = clamp(vec4((cool_side_blend.xyz + (_e156.tone * _e156.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e162 = profile_balanced(_e154, cool_edge_warp, cool_edge_tone_shape);
+    Light _e165 = u_look.cool;
+    LitLayer _e166 = light_apply(_e165, _e148, _e162);
+    vec4 _e171 = blend_add(_e118, _e166.color, _e166.tone, 1.0, true);
+    return _e171;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape warm_side_tone_shape = ConstructProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u);
 static const ProfileShape cool_side_tone_shape = ConstructProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u);
 static const ProfileShape cool_edge_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u);
@@ -119,16 +118,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -162,14 +155,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -179,10 +167,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
@@ -196,8 +184,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 vie
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -236,56 +223,64 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float cool_side_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(cool_side_convexity, float4(0.9412, 0.6588, 0.3765, 1.0), float4(0.6039, 0.2275, 0.1412, 1.0));
-    float3 _e23 = look.warm.direction;
-    float3 _e32 = look.warm.direction;
-    Angle warm_side_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+    float cool_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(cool_side_convexity, float4(0.9412, 0.6588, 0.3765, 1.0), float4(0.6039, 0.2275, 0.1412, 1.0));
+    float3 _e35 = look.warm.direction;
+    float3 _e44 = look.warm.direction;
+    Angle warm_side_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.45);
-    const float _e45 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e48 = look.warm;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    float4 warm_side_blend = clamp(float4((float3(0.0314, 0.0275, 0.0392) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e76 = curvature_color(cool_side_convexity, float4(0.4353, 0.698, 0.9412, 1.0), float4(0.1451, 0.251, 0.4353, 1.0));
-    float3 _e81 = look.cool.direction;
-    float3 _e90 = look.cool.direction;
-    Angle cool_side_angle = ConstructAngle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
+    const float _e57 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e60 = look.warm;
+    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    const float4 _e71 = blend_add(float4(0.0314, 0.0275, 0.0392, 1.0), _e61.color, _e61.tone, 1.0, true);
+    const float4 _e82 = curvature_color(cool_side_convexity, float4(0.4353, 0.698, 0.9412, 1.0), float4(0.1451, 0.251, 0.4353, 1.0));
+    float3 _e87 = look.cool.direction;
+    float3 _e96 = look.cool.direction;
+    Angle cool_side_angle = ConstructAngle((0.5 * length((surface.normal - _e87))), (0.5 * length((surface.normal + _e96))));
     float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.4);
-    const float _e103 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e106 = look.cool;
-    const LitLayer _e107 = light_apply(_e106, _e76, _e103);
-    float4 cool_side_blend = clamp(float4((warm_side_blend.xyz + (_e107.tone * _e107.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e123 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float cool_edge_convexity = (0.5 + (0.5 * _e123));
-    const float4 _e138 = curvature_color(cool_edge_convexity, float4(0.3529, 0.3725, 0.4, 1.0), float4(0.1255, 0.1412, 0.1569, 1.0));
-    Light _e141 = look.cool;
-    const Angle _e144 = parametrization_specular_balanced(_e141, surface_1.normal, surface_1.view);
+    const float _e109 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e112 = look.cool;
+    const LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    const float4 _e118 = blend_add(_e71, _e113.color, _e113.tone, 1.0, true);
+    float cool_edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
+    const float4 _e148 = curvature_color(cool_edge_convexity, float4(0.3529, 0.3725, 0.4, 1.0), float4(0.1255, 0.1412, 0.1569, 1.0));
+    Light _e151 = look.cool;
+    const Angle _e154 = parametrization_specular_balanced(_e151, surface.normal, surface.view);
     float cool_edge_warp = (((2.0 * cool_edge_convexity) - 1.0) * 0.2);
-    const float _e152 = profile_balanced(_e144, cool_edge_warp, cool_edge_tone_shape);
-    Light _e155 = look.cool;
-    const LitLayer _e156 = light_apply(_e155, _e138, _e152);
-    float4 output = clamp(float4((cool_side_blend.xyz + (_e156.tone * _e156.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e162 = profile_balanced(_e154, cool_edge_warp, cool_edge_tone_shape);
+    Light _e165 = look.cool;
+    const LitLayer _e166 = light_apply(_e165, _e148, _e162);
+    const float4 _e171 = blend_add(_e118, _e166.color, _e166.tone, 1.0, true);
+    return _e171;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -296,17 +291,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

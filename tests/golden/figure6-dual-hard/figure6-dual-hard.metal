@@ -38,6 +38,7 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -66,7 +67,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape warm_side_tone_shape = ProfileShape {0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u};
 constant ProfileShape cool_side_tone_shape = ProfileShape {0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u};
 constant ProfileShape cool_edge_tone_shape = ProfileShape {0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u};
@@ -80,17 +80,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -122,27 +115,23 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
+Composite blend_add(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -159,8 +148,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -209,40 +197,38 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float cool_side_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(cool_side_convexity, metal::float4(0.9412, 0.6588, 0.3765, 1.0), metal::float4(0.6039, 0.2275, 0.1412, 1.0));
-    metal::float3 _e23 = look.warm.direction;
-    metal::float3 _e32 = look.warm.direction;
-    Angle warm_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float cool_side_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))))));
+    Color _e30 = curvature_color(cool_side_convexity, metal::float4(0.9412, 0.6588, 0.3765, 1.0), metal::float4(0.6039, 0.2275, 0.1412, 1.0));
+    metal::float3 _e35 = look.warm.direction;
+    metal::float3 _e44 = look.warm.direction;
+    Angle warm_side_angle = Angle {0.5 * metal::length(surface.normal - _e35), 0.5 * metal::length(surface.normal + _e44)};
     float warm_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.45;
-    float _e45 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e48 = look.warm;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    metal::float4 warm_side_blend = metal::clamp(metal::float4(metal::float3(0.0314, 0.0275, 0.0392) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e76 = curvature_color(cool_side_convexity, metal::float4(0.4353, 0.698, 0.9412, 1.0), metal::float4(0.1451, 0.251, 0.4353, 1.0));
-    metal::float3 _e81 = look.cool.direction;
-    metal::float3 _e90 = look.cool.direction;
-    Angle cool_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e81), 0.5 * metal::length(surface_1.normal + _e90)};
+    float _e57 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e60 = look.warm;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    Composite _e71 = blend_add(metal::float4(0.0314, 0.0275, 0.0392, 1.0), _e61.color, _e61.tone, 1.0, true);
+    Color _e82 = curvature_color(cool_side_convexity, metal::float4(0.4353, 0.698, 0.9412, 1.0), metal::float4(0.1451, 0.251, 0.4353, 1.0));
+    metal::float3 _e87 = look.cool.direction;
+    metal::float3 _e96 = look.cool.direction;
+    Angle cool_side_angle = Angle {0.5 * metal::length(surface.normal - _e87), 0.5 * metal::length(surface.normal + _e96)};
     float cool_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.4;
-    float _e103 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e106 = look.cool;
-    LitLayer _e107 = light_apply(_e106, _e76, _e103);
-    metal::float4 cool_side_blend = metal::clamp(metal::float4(warm_side_blend.xyz + (_e107.tone * _e107.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e123 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float cool_edge_convexity = 0.5 + (0.5 * _e123);
-    Color _e138 = curvature_color(cool_edge_convexity, metal::float4(0.3529, 0.3725, 0.4, 1.0), metal::float4(0.1255, 0.1412, 0.1569, 1.0));
-    Light _e141 = look.cool;
-    Angle _e144 = parametrization_specular_balanced(_e141, surface_1.normal, surface_1.view);
+    float _e109 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e112 = look.cool;
+    LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    Composite _e118 = blend_add(_e71, _e113.color, _e113.tone, 1.0, true);
+    float cool_edge_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
+    Color _e148 = curvature_color(cool_edge_convexity, metal::float4(0.3529, 0.3725, 0.4, 1.0), metal::float4(0.1255, 0.1412, 0.1569, 1.0));
+    Light _e151 = look.cool;
+    Angle _e154 = parametrization_specular_balanced(_e151, surface.normal, surface.view);
     float cool_edge_warp = ((2.0 * cool_edge_convexity) - 1.0) * 0.2;
-    float _e152 = profile_balanced(_e144, cool_edge_warp, cool_edge_tone_shape);
-    Light _e155 = look.cool;
-    LitLayer _e156 = light_apply(_e155, _e138, _e152);
-    metal::float4 output = metal::clamp(metal::float4(cool_side_blend.xyz + (_e156.tone * _e156.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e162 = profile_balanced(_e154, cool_edge_warp, cool_edge_tone_shape);
+    Light _e165 = look.cool;
+    LitLayer _e166 = light_apply(_e165, _e148, _e162);
+    Composite _e171 = blend_add(_e118, _e166.color, _e166.tone, 1.0, true);
+    return _e171;
 }
 
 struct vs_mainInput {
@@ -260,16 +246,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -294,16 +275,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

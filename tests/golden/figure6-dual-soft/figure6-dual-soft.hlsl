@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape warm_side_tone_shape = ConstructProfileShape(0.9971888, 0.07492971, 1.3940078, 1.4345639, 0.15, 0.90231395, 0.36981526, 0u);
 static const ProfileShape cool_side_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1, 0.83293223, 0.33645248, 0u);
 static const ProfileShape sheen_tone_shape = ConstructProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
@@ -119,16 +118,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -162,14 +155,14 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -179,32 +172,24 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
-    return litlayer_1;
-}
-
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
     return angle_3;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -266,62 +251,69 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float fill_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(fill_convexity, float4(0.1137, 0.0941, 0.1333, 1.0), float4(0.0392, 0.0314, 0.0549, 1.0));
-    Light _e21 = look.warm;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.051, 0.0431, 0.0706) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e42 = curvature_signed_balanced_2_(surface_1.kappa, 0.22);
-    float cool_side_convexity = (0.5 + (0.5 * _e42));
-    const float4 _e57 = curvature_color(cool_side_convexity, float4(0.851, 0.5451, 0.3059, 1.0), float4(0.4784, 0.1843, 0.1333, 1.0));
-    float3 _e62 = look.warm.direction;
-    float3 _e71 = look.warm.direction;
-    Angle warm_side_angle = ConstructAngle((0.5 * length((surface_1.normal - _e62))), (0.5 * length((surface_1.normal + _e71))));
-    float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.3);
-    const float _e84 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e87 = look.warm;
-    const LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
-    float4 warm_side_blend = clamp(float4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e112 = curvature_color(cool_side_convexity, float4(0.3098, 0.498, 0.7216, 1.0), float4(0.1098, 0.1922, 0.3412, 1.0));
-    float3 _e117 = look.cool.direction;
-    float3 _e126 = look.cool.direction;
-    Angle cool_side_angle = ConstructAngle((0.5 * length((surface_1.normal - _e117))), (0.5 * length((surface_1.normal + _e126))));
-    float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.25);
-    const float _e139 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e142 = look.cool;
-    const LitLayer _e143 = light_apply_2_(_e142, _e112, _e139);
-    float4 cool_side_blend = clamp(float4((warm_side_blend.xyz + (_e143.tone * _e143.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e159 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float sheen_convexity = (0.5 + (0.5 * _e159));
-    const float4 _e174 = curvature_color(sheen_convexity, float4(0.4196, 0.3176, 0.2196, 1.0), float4(0.2, 0.1373, 0.1098, 1.0));
-    Light _e177 = look.warm;
-    const Angle _e180 = parametrization_specular_balanced(_e177, surface_1.normal, surface_1.view);
-    float sheen_warp = (((2.0 * sheen_convexity) - 1.0) * 0.1);
-    const float _e188 = profile_balanced_2_(_e180, sheen_warp, sheen_tone_shape);
-    Light _e191 = look.warm;
-    const LitLayer _e192 = light_apply_2_(_e191, _e174, _e188);
-    float4 output = clamp(float4((cool_side_blend.xyz + (_e192.tone * _e192.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e3 = transition_balanced(surface.kappa, 0.25);
+    const float4 _e14 = curvature_color(_e3, float4(0.1137, 0.0941, 0.1333, 1.0), float4(0.0392, 0.0314, 0.0549, 1.0));
+    Light _e17 = look.warm;
+    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    const float4 _e29 = blend_add(float4(0.051, 0.0431, 0.0706, 1.0), _e19.color, _e19.tone, 1.0, true);
+    const float _e32 = transition_balanced(surface.kappa, 0.22);
+    const float4 _e43 = curvature_color(_e32, float4(0.851, 0.5451, 0.3059, 1.0), float4(0.4784, 0.1843, 0.1333, 1.0));
+    float3 _e48 = look.warm.direction;
+    float3 _e57 = look.warm.direction;
+    Angle warm_side_angle = ConstructAngle((0.5 * length((surface.normal - _e48))), (0.5 * length((surface.normal + _e57))));
+    float warm_side_warp = (((2.0 * _e32) - 1.0) * 0.3);
+    const float _e70 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e73 = look.warm;
+    const LitLayer _e74 = light_apply(_e73, _e43, _e70);
+    const float4 _e79 = blend_add(_e29, _e74.color, _e74.tone, 1.0, true);
+    const float4 _e90 = curvature_color(_e32, float4(0.3098, 0.498, 0.7216, 1.0), float4(0.1098, 0.1922, 0.3412, 1.0));
+    float3 _e95 = look.cool.direction;
+    float3 _e104 = look.cool.direction;
+    Angle cool_side_angle = ConstructAngle((0.5 * length((surface.normal - _e95))), (0.5 * length((surface.normal + _e104))));
+    float cool_side_warp = (((2.0 * _e32) - 1.0) * 0.25);
+    const float _e117 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e120 = look.cool;
+    const LitLayer _e121 = light_apply(_e120, _e90, _e117);
+    const float4 _e126 = blend_add(_e79, _e121.color, _e121.tone, 1.0, true);
+    const float _e129 = transition_balanced(surface.kappa, 0.2);
+    const float4 _e140 = curvature_color(_e129, float4(0.4196, 0.3176, 0.2196, 1.0), float4(0.2, 0.1373, 0.1098, 1.0));
+    Light _e143 = look.warm;
+    const Angle _e146 = parametrization_specular_balanced(_e143, surface.normal, surface.view);
+    float sheen_warp = (((2.0 * _e129) - 1.0) * 0.1);
+    const float _e154 = profile_balanced_2_(_e146, sheen_warp, sheen_tone_shape);
+    Light _e157 = look.warm;
+    const LitLayer _e158 = light_apply(_e157, _e140, _e154);
+    const float4 _e163 = blend_add(_e126, _e158.color, _e158.tone, 1.0, true);
+    return _e163;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -332,17 +324,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

@@ -40,6 +40,9 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -61,7 +64,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -77,14 +79,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -115,16 +109,16 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -132,15 +126,6 @@ fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
@@ -179,8 +164,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -244,32 +228,39 @@ const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.74208
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let fill_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.25);
-    let fill_color = curvature_color(fill_convexity, vec4f(0.1137, 0.0941, 0.1333, 1.0), vec4f(0.0392, 0.0314, 0.0549, 1.0));
+    let fill_convexity = transition_balanced(surface.kappa, 0.25);
+    let fill_color = curvature_color(fill_convexity, vec4f(0.1137, 0.0941, 0.1333, 1.0),
+        vec4f(0.0392, 0.0314, 0.0549, 1.0));
     let fill_lit = light_apply(look.warm, fill_color, 1.0);
-    let fill_blend = clamp(vec4f(vec4f(0.051, 0.0431, 0.0706, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let cool_side_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.22);
-    let warm_side_color = curvature_color(cool_side_convexity, vec4f(0.851, 0.5451, 0.3059, 1.0), vec4f(0.4784, 0.1843, 0.1333, 1.0));
-    let warm_side_angle = Angle(0.5 * length(surface.normal - look.warm.direction), 0.5 * length(surface.normal + look.warm.direction));
+    let fill_blend = blend_add(vec4f(0.051, 0.0431, 0.0706, 1.0), fill_lit.color, fill_lit.tone,
+        1.0, true);
+    let cool_side_convexity = transition_balanced(surface.kappa, 0.22);
+    let warm_side_color = curvature_color(cool_side_convexity, vec4f(0.851, 0.5451, 0.3059, 1.0),
+        vec4f(0.4784, 0.1843, 0.1333, 1.0));
+    let warm_side_angle = Angle(0.5 * length(surface.normal - look.warm.direction), 0.5
+        * length(surface.normal + look.warm.direction));
     let warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.3;
     let warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    let warm_side_lit = light_apply_2(look.warm, warm_side_color, warm_side_tone);
-    let warm_side_blend = clamp(vec4f(fill_blend.xyz + warm_side_lit.tone * warm_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.3098, 0.498, 0.7216, 1.0), vec4f(0.1098, 0.1922, 0.3412, 1.0));
-    let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5 * length(surface.normal + look.cool.direction));
+    let warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
+    let warm_side_blend = blend_add(fill_blend, warm_side_lit.color, warm_side_lit.tone, 1.0, true);
+    let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.3098, 0.498, 0.7216, 1.0),
+        vec4f(0.1098, 0.1922, 0.3412, 1.0));
+    let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5
+        * length(surface.normal + look.cool.direction));
     let cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.25;
     let cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    let cool_side_lit = light_apply_2(look.cool, cool_side_color, cool_side_tone);
-    let cool_side_blend = clamp(vec4f(warm_side_blend.xyz + cool_side_lit.tone * cool_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let sheen_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.2);
-    let sheen_color = curvature_color(sheen_convexity, vec4f(0.4196, 0.3176, 0.2196, 1.0), vec4f(0.2, 0.1373, 0.1098, 1.0));
+    let cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
+    let cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0,
+        true);
+    let sheen_convexity = transition_balanced(surface.kappa, 0.2);
+    let sheen_color = curvature_color(sheen_convexity, vec4f(0.4196, 0.3176, 0.2196, 1.0),
+        vec4f(0.2, 0.1373, 0.1098, 1.0));
     let sheen_angle = parametrization_specular_balanced(look.warm, surface.normal, surface.view);
     let sheen_warp = (2.0 * sheen_convexity - 1.0) * 0.1;
     let sheen_tone = profile_balanced_2(sheen_angle, sheen_warp, sheen_tone_shape);
-    let sheen_lit = light_apply_2(look.warm, sheen_color, sheen_tone);
-    let sheen_blend = clamp(vec4f(cool_side_blend.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = sheen_blend;
-    return output;
+    let sheen_lit = light_apply(look.warm, sheen_color, sheen_tone);
+    let sheen_blend = blend_add(cool_side_blend, sheen_lit.color, sheen_lit.tone, 1.0, true);
+    return sheen_blend;
 }
 
 struct Vertex {
@@ -286,21 +277,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u);
 static const ProfileShape wet_sheen_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u);
 static const ProfileShape window_tone_shape = ConstructProfileShape(0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116, 0.025379833, 0u);
@@ -120,16 +119,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return float2(s_3, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return float2(s_2, c);
 }
 
 float angle_footprint(Angle u)
@@ -137,8 +130,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -150,12 +143,12 @@ Angle ConstructAngle(float arg0, float arg1) {
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_4 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c_1));
-    float2 turned = (((s_4 <= 0.0) & (s_4 < c_1)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
+    return angle_2;
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
@@ -163,14 +156,19 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
-float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+}
+
+float4 blend_alpha(float4 below_1, float4 color_1, float tone_1, float opacity_1, bool clamped_1)
+{
+    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -180,174 +178,150 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color_2, float tone_2)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
     return litlayer;
 }
 
 Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
-    return angle_4;
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
+    return angle_3;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2((shape.exponent * _e8)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_1)
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
 {
-    float q_1 = (s_1 * shape_1.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_1.exponent * _e8), -126.0)), 1.0)));
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_2)
+float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
-}
-
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_3)
-{
-    float2 place = float2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place.x, shape_3);
-    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
+    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
+    const float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
         return _e19;
     }
     float r = (0.19364917 * w_1);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
     return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_4)
+float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_3)
 {
-    float2 place_1 = float2(((u_3.half_sin * shape_4.half_cos_offset) - (u_3.half_cos * shape_4.half_sin_offset)), ((u_3.half_cos * shape_4.half_cos_offset) + (u_3.half_sin * shape_4.half_sin_offset)));
-    const float _e19 = profile_soft_quick_2_(place_1.x, shape_4);
-    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
-        return _e19;
+    float2 place_1 = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false | is_narrow)) {
+        const float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
+    }
+    const float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
     }
     float r_1 = (0.19364917 * w_2);
     float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e45 = profile_soft_quick_2_(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
-    const float _e53 = profile_soft_quick_2_(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
-}
-
-float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_5)
-{
-    float2 place_2 = float2(((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset)), ((u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset)));
-    bool is_narrow = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_5.edge_deviation)));
-    if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place_2.x, w_3, shape_5);
-        return _e28;
-    }
-    const float _e30 = profile_soft_quick_2_(place_2.x, shape_5);
-    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
-        return _e30;
-    }
-    float r_2 = (0.19364917 * w_3);
-    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    const float _e56 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
-    const float _e64 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
+    const float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    const float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_6)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
 {
     const float2 _e5 = sin_cos_quick((0.5 * shift));
     const Angle _e6 = angle_turned(angle, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
     const float2 _e5 = sin_cos_quick((0.5 * shift_1));
     const Angle _e6 = angle_turned(angle_1, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
+    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+float4 shade(Surface surface)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
-    const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
-    return _e8;
-}
-
-float4 shade(Surface surface_1)
-{
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.18);
-    float body_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(body_convexity, float4(0.3725, 0.6824, 0.5255, 1.0), float4(0.1137, 0.3529, 0.2824, 1.0));
-    float3 _e23 = look.key.direction;
-    float3 _e32 = look.key.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
-    float body_warp = (((2.0 * body_convexity) - 1.0) * 0.35);
-    const float _e45 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e48 = look.key;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    float4 body_blend = clamp(float4((float3(0.0471, 0.1647, 0.1255) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e68 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float window_convexity = (0.5 + (0.5 * _e68));
-    const float4 _e83 = curvature_color(window_convexity, float4(0.2941, 0.4157, 0.3451, 1.0), float4(0.1098, 0.2275, 0.1882, 1.0));
+    const float _e3 = transition_balanced(surface.kappa, 0.18);
+    const float4 _e14 = curvature_color(_e3, float4(0.3725, 0.6824, 0.5255, 1.0), float4(0.1137, 0.3529, 0.2824, 1.0));
+    float3 _e19 = look.key.direction;
+    float3 _e28 = look.key.direction;
+    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - _e19))), (0.5 * length((surface.normal + _e28))));
+    float body_warp = (((2.0 * _e3) - 1.0) * 0.35);
+    const float _e41 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e44 = look.key;
+    const LitLayer _e45 = light_apply(_e44, _e14, _e41);
+    const float4 _e55 = blend_add(float4(0.0471, 0.1647, 0.1255, 1.0), _e45.color, _e45.tone, 1.0, true);
+    const float _e58 = transition_balanced(surface.kappa, 0.15);
+    const float4 _e69 = curvature_color(_e58, float4(0.2941, 0.4157, 0.3451, 1.0), float4(0.1098, 0.2275, 0.1882, 1.0));
+    Light _e72 = look.key;
+    const Angle _e75 = parametrization_specular_balanced(_e72, surface.normal, surface.view);
+    float wet_sheen_warp = (((2.0 * _e58) - 1.0) * 0.15);
+    const float _e83 = profile_balanced(_e75, wet_sheen_warp, wet_sheen_tone_shape);
     Light _e86 = look.key;
-    const Angle _e89 = parametrization_specular_balanced(_e86, surface_1.normal, surface_1.view);
-    float wet_sheen_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    const float _e97 = profile_balanced_2_(_e89, wet_sheen_warp, wet_sheen_tone_shape);
-    Light _e100 = look.key;
-    const LitLayer _e101 = light_apply(_e100, _e83, _e97);
-    float4 wet_sheen_blend = clamp(float4((body_blend.xyz + (_e101.tone * _e101.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e125 = curvature_color(window_convexity, float4(0.9647, 1.0, 0.9569, 1.0), float4(0.7216, 0.8784, 0.7843, 1.0));
-    float window_warp = (((2.0 * window_convexity) - 1.0) * 0.05);
-    const float _e133 = profile_balanced_3_(_e89, window_warp, window_tone_shape);
-    Light _e136 = look.key;
-    const LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    const float4 _e142 = blend_alpha(wet_sheen_blend, _e137.color, _e137.tone, 0.9, true);
-    const float _e145 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float through_light_convexity = (0.5 + (0.5 * _e145));
-    const float4 _e160 = curvature_color(through_light_convexity, float4(0.4784, 0.549, 0.2353, 1.0), float4(0.2902, 0.4157, 0.1725, 1.0));
-    float3 _e165 = look.back.direction;
-    float3 _e174 = look.back.direction;
-    Angle through_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e165))), (0.5 * length((surface_1.normal + _e174))));
-    float through_light_warp = (((2.0 * through_light_convexity) - 1.0) * -0.2);
-    const float _e187 = profile_balanced_2_(through_light_angle, through_light_warp, through_light_tone_shape);
-    Light _e190 = look.back;
-    const LitLayer _e191 = light_apply(_e190, _e160, _e187);
-    float4 output = clamp(float4((_e142.xyz + (_e191.tone * _e191.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const LitLayer _e87 = light_apply(_e86, _e69, _e83);
+    const float4 _e92 = blend_add(_e55, _e87.color, _e87.tone, 1.0, true);
+    const float4 _e103 = curvature_color(_e58, float4(0.9647, 1.0, 0.9569, 1.0), float4(0.7216, 0.8784, 0.7843, 1.0));
+    float window_warp = (((2.0 * _e58) - 1.0) * 0.05);
+    const float _e111 = profile_balanced_2_(_e75, window_warp, window_tone_shape);
+    Light _e114 = look.key;
+    const LitLayer _e115 = light_apply(_e114, _e103, _e111);
+    const float4 _e120 = blend_alpha(_e92, _e115.color, _e115.tone, 0.9, true);
+    const float _e123 = transition_balanced(surface.kappa, 0.2);
+    const float4 _e134 = curvature_color(_e123, float4(0.4784, 0.549, 0.2353, 1.0), float4(0.2902, 0.4157, 0.1725, 1.0));
+    float3 _e139 = look.back.direction;
+    float3 _e148 = look.back.direction;
+    Angle through_light_angle = ConstructAngle((0.5 * length((surface.normal - _e139))), (0.5 * length((surface.normal + _e148))));
+    float through_light_warp = (((2.0 * _e123) - 1.0) * -0.2);
+    const float _e161 = profile_balanced(through_light_angle, through_light_warp, through_light_tone_shape);
+    Light _e164 = look.back;
+    const LitLayer _e165 = light_apply(_e164, _e134, _e161);
+    const float4 _e170 = blend_add(_e120, _e165.color, _e165.tone, 1.0, true);
+    return _e170;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -358,17 +332,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

@@ -67,7 +67,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape body_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u};
 constant ProfileShape wet_sheen_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u};
 constant ProfileShape window_tone_shape = ProfileShape {0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116, 0.025379833, 0u};
@@ -82,17 +81,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_3 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
-    return metal::float2(s_3, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    return metal::float2(s_2, c);
 }
 
 float angle_footprint(
@@ -101,18 +93,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_4 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_4, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_4 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c_1);
-    metal::float2 turned = ((s_4 <= 0.0) & (s_4 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -124,30 +116,40 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
-Composite blend_alpha(
+Composite blend_add(
     Composite below,
     Color color,
     float tone,
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+}
+
+Composite blend_alpha(
+    Composite below_1,
+    Color color_1,
+    float tone_1,
+    float opacity_1,
+    bool clamped_1
+) {
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color_2,
+    float tone_2
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -164,165 +166,123 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(shape.exponent * _e8), 1.0));
-}
-
-float profile_soft_quick_2_(
-    float s_1,
-    ProfileShape shape_1
-) {
-    float q_1 = s_1 * shape_1.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_1.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
-    float s_2,
+    float s_1,
     float w,
-    ProfileShape shape_2
+    ProfileShape shape_1
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_2.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
 float profile_filtered_quick(
     Angle u_2,
     float w_1,
-    ProfileShape shape_3
+    ProfileShape shape_2
 ) {
-    metal::float2 place = metal::float2((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset), (u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_3);
-    if (w_1 < (0.1 * shape_3.edge_deviation)) {
+    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if (w_1 < (0.1 * shape_2.edge_deviation)) {
         return _e19;
     }
     float r = 0.19364917 * w_1;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
     return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
 float profile_filtered_quick_2_(
     Angle u_3,
     float w_2,
-    ProfileShape shape_4
+    ProfileShape shape_3
 ) {
-    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_4.half_cos_offset) - (u_3.half_cos * shape_4.half_sin_offset), (u_3.half_cos * shape_4.half_cos_offset) + (u_3.half_sin * shape_4.half_sin_offset));
-    float _e19 = profile_soft_quick_2_(place_1.x, shape_4);
-    if (w_2 < (0.1 * shape_4.edge_deviation)) {
-        return _e19;
+    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
     float r_1 = 0.19364917 * w_2;
     metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e45 = profile_soft_quick_2_((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_4);
-    float _e53 = profile_soft_quick_2_((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_4);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
-}
-
-float profile_filtered_quick_3_(
-    Angle u_4,
-    float w_3,
-    ProfileShape shape_5
-) {
-    metal::float2 place_2 = metal::float2((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset), (u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset));
-    bool is_narrow = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_5.edge_deviation));
-    if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_2.x, w_3, shape_5);
-        return _e28;
-    }
-    float _e30 = profile_soft_quick_2_(place_2.x, shape_5);
-    if (w_3 < (0.1 * shape_5.edge_deviation)) {
-        return _e30;
-    }
-    float r_2 = 0.19364917 * w_3;
-    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e56 = profile_soft_quick_2_((place_2.x * turn_2.y) - (place_2.y * turn_2.x), shape_5);
-    float _e64 = profile_soft_quick_2_((place_2.x * turn_2.y) + (place_2.y * turn_2.x), shape_5);
+    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
+    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
     return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_6
+    ProfileShape shape_4
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
 float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_7
+    ProfileShape shape_5
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
-    return _e8;
-}
-
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_8
-) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.18);
-    float body_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(body_convexity, metal::float4(0.3725, 0.6824, 0.5255, 1.0), metal::float4(0.1137, 0.3529, 0.2824, 1.0));
-    metal::float3 _e23 = look.key.direction;
-    metal::float3 _e32 = look.key.direction;
-    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
-    float body_warp = ((2.0 * body_convexity) - 1.0) * 0.35;
-    float _e45 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e48 = look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    metal::float4 body_blend = metal::clamp(metal::float4(metal::float3(0.0471, 0.1647, 0.1255) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e68 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float window_convexity = 0.5 + (0.5 * _e68);
-    Color _e83 = curvature_color(window_convexity, metal::float4(0.2941, 0.4157, 0.3451, 1.0), metal::float4(0.1098, 0.2275, 0.1882, 1.0));
+    float _e3 = transition_balanced(surface.kappa, 0.18);
+    Color _e14 = curvature_color(_e3, metal::float4(0.3725, 0.6824, 0.5255, 1.0), metal::float4(0.1137, 0.3529, 0.2824, 1.0));
+    metal::float3 _e19 = look.key.direction;
+    metal::float3 _e28 = look.key.direction;
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - _e19), 0.5 * metal::length(surface.normal + _e28)};
+    float body_warp = ((2.0 * _e3) - 1.0) * 0.35;
+    float _e41 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e44 = look.key;
+    LitLayer _e45 = light_apply(_e44, _e14, _e41);
+    Composite _e55 = blend_add(metal::float4(0.0471, 0.1647, 0.1255, 1.0), _e45.color, _e45.tone, 1.0, true);
+    float _e58 = transition_balanced(surface.kappa, 0.15);
+    Color _e69 = curvature_color(_e58, metal::float4(0.2941, 0.4157, 0.3451, 1.0), metal::float4(0.1098, 0.2275, 0.1882, 1.0));
+    Light _e72 = look.key;
+    Angle _e75 = parametrization_specular_balanced(_e72, surface.normal, surface.view);
+    float wet_sheen_warp = ((2.0 * _e58) - 1.0) * 0.15;
+    float _e83 = profile_balanced(_e75, wet_sheen_warp, wet_sheen_tone_shape);
     Light _e86 = look.key;
-    Angle _e89 = parametrization_specular_balanced(_e86, surface_1.normal, surface_1.view);
-    float wet_sheen_warp = ((2.0 * window_convexity) - 1.0) * 0.15;
-    float _e97 = profile_balanced_2_(_e89, wet_sheen_warp, wet_sheen_tone_shape);
-    Light _e100 = look.key;
-    LitLayer _e101 = light_apply(_e100, _e83, _e97);
-    metal::float4 wet_sheen_blend = metal::clamp(metal::float4(body_blend.xyz + (_e101.tone * _e101.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e125 = curvature_color(window_convexity, metal::float4(0.9647, 1.0, 0.9569, 1.0), metal::float4(0.7216, 0.8784, 0.7843, 1.0));
-    float window_warp = ((2.0 * window_convexity) - 1.0) * 0.05;
-    float _e133 = profile_balanced_3_(_e89, window_warp, window_tone_shape);
-    Light _e136 = look.key;
-    LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    Composite _e142 = blend_alpha(wet_sheen_blend, _e137.color, _e137.tone, 0.9, true);
-    float _e145 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float through_light_convexity = 0.5 + (0.5 * _e145);
-    Color _e160 = curvature_color(through_light_convexity, metal::float4(0.4784, 0.549, 0.2353, 1.0), metal::float4(0.2902, 0.4157, 0.1725, 1.0));
-    metal::float3 _e165 = look.back.direction;
-    metal::float3 _e174 = look.back.direction;
-    Angle through_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e165), 0.5 * metal::length(surface_1.normal + _e174)};
-    float through_light_warp = ((2.0 * through_light_convexity) - 1.0) * -0.2;
-    float _e187 = profile_balanced_2_(through_light_angle, through_light_warp, through_light_tone_shape);
-    Light _e190 = look.back;
-    LitLayer _e191 = light_apply(_e190, _e160, _e187);
-    metal::float4 output = metal::clamp(metal::float4(_e142.xyz + (_e191.tone * _e191.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    LitLayer _e87 = light_apply(_e86, _e69, _e83);
+    Composite _e92 = blend_add(_e55, _e87.color, _e87.tone, 1.0, true);
+    Color _e103 = curvature_color(_e58, metal::float4(0.9647, 1.0, 0.9569, 1.0), metal::float4(0.7216, 0.8784, 0.7843, 1.0));
+    float window_warp = ((2.0 * _e58) - 1.0) * 0.05;
+    float _e111 = profile_balanced_2_(_e75, window_warp, window_tone_shape);
+    Light _e114 = look.key;
+    LitLayer _e115 = light_apply(_e114, _e103, _e111);
+    Composite _e120 = blend_alpha(_e92, _e115.color, _e115.tone, 0.9, true);
+    float _e123 = transition_balanced(surface.kappa, 0.2);
+    Color _e134 = curvature_color(_e123, metal::float4(0.4784, 0.549, 0.2353, 1.0), metal::float4(0.2902, 0.4157, 0.1725, 1.0));
+    metal::float3 _e139 = look.back.direction;
+    metal::float3 _e148 = look.back.direction;
+    Angle through_light_angle = Angle {0.5 * metal::length(surface.normal - _e139), 0.5 * metal::length(surface.normal + _e148)};
+    float through_light_warp = ((2.0 * _e123) - 1.0) * -0.2;
+    float _e161 = profile_balanced(through_light_angle, through_light_warp, through_light_tone_shape);
+    Light _e164 = look.back;
+    LitLayer _e165 = light_apply(_e164, _e134, _e161);
+    Composite _e170 = blend_add(_e120, _e165.color, _e165.tone, 1.0, true);
+    return _e170;
 }
 
 struct vs_mainInput {
@@ -340,16 +300,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -374,16 +329,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

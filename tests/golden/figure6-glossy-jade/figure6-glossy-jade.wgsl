@@ -64,7 +64,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -80,14 +79,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -118,16 +109,22 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
+}
+
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -173,15 +170,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
-        >= 1.0), 1.0, s <= 0.0);
-}
-
-/// alpha of a soft profile where the half-sine from tau is s.
-fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
-    let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -214,34 +203,18 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    let point = profile_soft_quick_2(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
-}
-
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
-        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
     if false | is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
-    let point = profile_soft_quick_2(place.x, shape);
+    let point = profile_soft_quick(place.x, shape);
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
     let r = 0.193649167310370844 * w;
     let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -255,11 +228,6 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
-}
-
 const body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u);
 const wet_sheen_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u);
 const window_tone_shape = ProfileShape(0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116, 0.025379833, 0u);
@@ -267,34 +235,42 @@ const through_light_tone_shape = ProfileShape(0.9800666, 0.19866933, 1.91319, 1.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let body_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.18);
-    let body_color = curvature_color(body_convexity, vec4f(0.3725, 0.6824, 0.5255, 1.0), vec4f(0.1137, 0.3529, 0.2824, 1.0));
-    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let body_convexity = transition_balanced(surface.kappa, 0.18);
+    let body_color = curvature_color(body_convexity, vec4f(0.3725, 0.6824, 0.5255, 1.0),
+        vec4f(0.1137, 0.3529, 0.2824, 1.0));
+    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let body_warp = (2.0 * body_convexity - 1.0) * 0.35;
     let body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.key, body_color, body_tone);
-    let body_blend = clamp(vec4f(vec4f(0.0471, 0.1647, 0.1255, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let window_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.15);
-    let wet_sheen_color = curvature_color(window_convexity, vec4f(0.2941, 0.4157, 0.3451, 1.0), vec4f(0.1098, 0.2275, 0.1882, 1.0));
+    let body_blend = blend_add(vec4f(0.0471, 0.1647, 0.1255, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
+    let window_convexity = transition_balanced(surface.kappa, 0.15);
+    let wet_sheen_color = curvature_color(window_convexity, vec4f(0.2941, 0.4157, 0.3451, 1.0),
+        vec4f(0.1098, 0.2275, 0.1882, 1.0));
     let window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let wet_sheen_warp = (2.0 * window_convexity - 1.0) * 0.15;
-    let wet_sheen_tone = profile_balanced_2(window_angle, wet_sheen_warp, wet_sheen_tone_shape);
+    let wet_sheen_tone = profile_balanced(window_angle, wet_sheen_warp, wet_sheen_tone_shape);
     let wet_sheen_lit = light_apply(look.key, wet_sheen_color, wet_sheen_tone);
-    let wet_sheen_blend = clamp(vec4f(body_blend.xyz + wet_sheen_lit.tone * wet_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let window_color = curvature_color(window_convexity, vec4f(0.9647, 1.0, 0.9569, 1.0), vec4f(0.7216, 0.8784, 0.7843, 1.0));
+    let wet_sheen_blend = blend_add(body_blend, wet_sheen_lit.color, wet_sheen_lit.tone, 1.0, true);
+    let window_color = curvature_color(window_convexity, vec4f(0.9647, 1.0, 0.9569, 1.0),
+        vec4f(0.7216, 0.8784, 0.7843, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.05;
-    let window_tone = profile_balanced_3(window_angle, window_warp, window_tone_shape);
+    let window_tone = profile_balanced_2(window_angle, window_warp, window_tone_shape);
     let window_lit = light_apply(look.key, window_color, window_tone);
     let window_blend = blend_alpha(wet_sheen_blend, window_lit.color, window_lit.tone, 0.9, true);
-    let through_light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let through_light_color = curvature_color(through_light_convexity, vec4f(0.4784, 0.549, 0.2353, 1.0), vec4f(0.2902, 0.4157, 0.1725, 1.0));
-    let through_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let through_light_convexity = transition_balanced(surface.kappa, 0.2);
+    let through_light_color = curvature_color(through_light_convexity,
+        vec4f(0.4784, 0.549, 0.2353, 1.0), vec4f(0.2902, 0.4157, 0.1725, 1.0));
+    let through_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let through_light_warp = (2.0 * through_light_convexity - 1.0) * -0.2;
-    let through_light_tone = profile_balanced_2(through_light_angle, through_light_warp, through_light_tone_shape);
+    let through_light_tone = profile_balanced(through_light_angle, through_light_warp,
+        through_light_tone_shape);
     let through_light_lit = light_apply(look.back, through_light_color, through_light_tone);
-    let through_light_blend = clamp(vec4f(window_blend.xyz + through_light_lit.tone * through_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = through_light_blend;
-    return output;
+    let through_light_blend = blend_add(window_blend, through_light_lit.color,
+        through_light_lit.tone, 1.0, true);
+    return through_light_blend;
 }
 
 struct Vertex {
@@ -311,21 +287,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -47,7 +47,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
 const ProfileShape soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);
 const ProfileShape window_tone_shape = ProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u);
@@ -68,15 +67,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -99,17 +93,17 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
+    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
 }
 
 Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
@@ -119,8 +113,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -177,61 +170,55 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float back_light_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(back_light_convexity, vec4(0.6275, 0.0706, 0.1255, 1.0), vec4(0.2353, 0.0157, 0.0627, 1.0));
-    vec3 _e23 = u_look.key.direction;
-    vec3 _e32 = u_look.key.direction;
-    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+vec4 shade(Surface surface) {
+    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(back_light_convexity, vec4(0.6275, 0.0706, 0.1255, 1.0), vec4(0.2353, 0.0157, 0.0627, 1.0));
+    vec3 _e35 = u_look.key.direction;
+    vec3 _e44 = u_look.key.direction;
+    Angle body_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float body_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    float _e45 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e48 = u_look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 body_blend = clamp(vec4((vec3(0.1098, 0.0078, 0.0235) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e68 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float window_convexity = (0.5 + (0.5 * _e68));
-    vec4 _e83 = curvature_color(window_convexity, vec4(0.3529, 0.1255, 0.1569, 1.0), vec4(0.1412, 0.0314, 0.0627, 1.0));
-    Light _e86 = u_look.key;
-    Angle _e89 = parametrization_specular_balanced(_e86, surface_1.normal, surface_1.view);
+    float _e57 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e60 = u_look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    vec4 _e71 = blend_add(vec4(0.1098, 0.0078, 0.0235, 1.0), _e61.color, _e61.tone, 1.0, true);
+    float window_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
+    vec4 _e101 = curvature_color(window_convexity, vec4(0.3529, 0.1255, 0.1569, 1.0), vec4(0.1412, 0.0314, 0.0627, 1.0));
+    Light _e104 = u_look.key;
+    Angle _e107 = parametrization_specular_balanced(_e104, surface.normal, surface.view);
     float soft_reflection_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    float _e97 = profile_balanced(_e89, soft_reflection_warp, soft_reflection_tone_shape);
-    Light _e100 = u_look.key;
-    LitLayer _e101 = light_apply(_e100, _e83, _e97);
-    vec4 soft_reflection_blend = clamp(vec4((body_blend.xyz + (_e101.tone * _e101.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e125 = curvature_color(window_convexity, vec4(1.0, 0.949, 0.9098, 1.0), vec4(0.7843, 0.4549, 0.4863, 1.0));
+    float _e115 = profile_balanced(_e107, soft_reflection_warp, soft_reflection_tone_shape);
+    Light _e118 = u_look.key;
+    LitLayer _e119 = light_apply(_e118, _e101, _e115);
+    vec4 _e124 = blend_add(_e71, _e119.color, _e119.tone, 1.0, true);
+    vec4 _e135 = curvature_color(window_convexity, vec4(1.0, 0.949, 0.9098, 1.0), vec4(0.7843, 0.4549, 0.4863, 1.0));
     float window_warp = (((2.0 * window_convexity) - 1.0) * 0.06);
-    float _e133 = profile_balanced_2_(_e89, window_warp, window_tone_shape);
-    Light _e136 = u_look.key;
-    LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    vec4 _e142 = blend_alpha(soft_reflection_blend, _e137.color, _e137.tone, 0.95, true);
-    vec4 _e153 = curvature_color(back_light_convexity, vec4(0.3647, 0.4706, 0.6588, 1.0), vec4(0.149, 0.2039, 0.3529, 1.0));
-    vec3 _e158 = u_look.back.direction;
-    vec3 _e167 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e158))), (0.5 * length((surface_1.normal + _e167))));
+    float _e143 = profile_balanced_2_(_e107, window_warp, window_tone_shape);
+    Light _e146 = u_look.key;
+    LitLayer _e147 = light_apply(_e146, _e135, _e143);
+    vec4 _e152 = blend_alpha(_e124, _e147.color, _e147.tone, 0.95, true);
+    vec4 _e163 = curvature_color(back_light_convexity, vec4(0.3647, 0.4706, 0.6588, 1.0), vec4(0.149, 0.2039, 0.3529, 1.0));
+    vec3 _e168 = u_look.back.direction;
+    vec3 _e177 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e168))), (0.5 * length((surface.normal + _e177))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    float _e180 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e183 = u_look.back;
-    LitLayer _e184 = light_apply(_e183, _e153, _e180);
-    vec4 output_ = clamp(vec4((_e142.xyz + (_e184.tone * _e184.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e190 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e193 = u_look.back;
+    LitLayer _e194 = light_apply(_e193, _e163, _e190);
+    vec4 _e199 = blend_add(_e152, _e194.color, _e194.tone, 1.0, true);
+    return _e199;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
 static const ProfileShape soft_reflection_tone_shape = ConstructProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);
 static const ProfileShape window_tone_shape = ConstructProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u);
@@ -120,16 +119,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -163,14 +156,14 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
+float4 blend_alpha(float4 below_1, float4 color_1, float tone_1, float opacity_1, bool clamped_1)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -180,10 +173,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color_2, float tone_2)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
     return litlayer;
 }
 
@@ -197,8 +190,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 vie
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -260,62 +252,70 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float back_light_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(back_light_convexity, float4(0.6275, 0.0706, 0.1255, 1.0), float4(0.2353, 0.0157, 0.0627, 1.0));
-    float3 _e23 = look.key.direction;
-    float3 _e32 = look.key.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(back_light_convexity, float4(0.6275, 0.0706, 0.1255, 1.0), float4(0.2353, 0.0157, 0.0627, 1.0));
+    float3 _e35 = look.key.direction;
+    float3 _e44 = look.key.direction;
+    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float body_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    const float _e45 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e48 = look.key;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    float4 body_blend = clamp(float4((float3(0.1098, 0.0078, 0.0235) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e68 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float window_convexity = (0.5 + (0.5 * _e68));
-    const float4 _e83 = curvature_color(window_convexity, float4(0.3529, 0.1255, 0.1569, 1.0), float4(0.1412, 0.0314, 0.0627, 1.0));
-    Light _e86 = look.key;
-    const Angle _e89 = parametrization_specular_balanced(_e86, surface_1.normal, surface_1.view);
+    const float _e57 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e60 = look.key;
+    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    const float4 _e71 = blend_add(float4(0.1098, 0.0078, 0.0235, 1.0), _e61.color, _e61.tone, 1.0, true);
+    float window_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
+    const float4 _e101 = curvature_color(window_convexity, float4(0.3529, 0.1255, 0.1569, 1.0), float4(0.1412, 0.0314, 0.0627, 1.0));
+    Light _e104 = look.key;
+    const Angle _e107 = parametrization_specular_balanced(_e104, surface.normal, surface.view);
     float soft_reflection_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    const float _e97 = profile_balanced(_e89, soft_reflection_warp, soft_reflection_tone_shape);
-    Light _e100 = look.key;
-    const LitLayer _e101 = light_apply(_e100, _e83, _e97);
-    float4 soft_reflection_blend = clamp(float4((body_blend.xyz + (_e101.tone * _e101.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e125 = curvature_color(window_convexity, float4(1.0, 0.949, 0.9098, 1.0), float4(0.7843, 0.4549, 0.4863, 1.0));
+    const float _e115 = profile_balanced(_e107, soft_reflection_warp, soft_reflection_tone_shape);
+    Light _e118 = look.key;
+    const LitLayer _e119 = light_apply(_e118, _e101, _e115);
+    const float4 _e124 = blend_add(_e71, _e119.color, _e119.tone, 1.0, true);
+    const float4 _e135 = curvature_color(window_convexity, float4(1.0, 0.949, 0.9098, 1.0), float4(0.7843, 0.4549, 0.4863, 1.0));
     float window_warp = (((2.0 * window_convexity) - 1.0) * 0.06);
-    const float _e133 = profile_balanced_2_(_e89, window_warp, window_tone_shape);
-    Light _e136 = look.key;
-    const LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    const float4 _e142 = blend_alpha(soft_reflection_blend, _e137.color, _e137.tone, 0.95, true);
-    const float4 _e153 = curvature_color(back_light_convexity, float4(0.3647, 0.4706, 0.6588, 1.0), float4(0.149, 0.2039, 0.3529, 1.0));
-    float3 _e158 = look.back.direction;
-    float3 _e167 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e158))), (0.5 * length((surface_1.normal + _e167))));
+    const float _e143 = profile_balanced_2_(_e107, window_warp, window_tone_shape);
+    Light _e146 = look.key;
+    const LitLayer _e147 = light_apply(_e146, _e135, _e143);
+    const float4 _e152 = blend_alpha(_e124, _e147.color, _e147.tone, 0.95, true);
+    const float4 _e163 = curvature_color(back_light_convexity, float4(0.3647, 0.4706, 0.6588, 1.0), float4(0.149, 0.2039, 0.3529, 1.0));
+    float3 _e168 = look.back.direction;
+    float3 _e177 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e168))), (0.5 * length((surface.normal + _e177))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    const float _e180 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e183 = look.back;
-    const LitLayer _e184 = light_apply(_e183, _e153, _e180);
-    float4 output = clamp(float4((_e142.xyz + (_e184.tone * _e184.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e190 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e193 = look.back;
+    const LitLayer _e194 = light_apply(_e193, _e163, _e190);
+    const float4 _e199 = blend_add(_e152, _e194.color, _e194.tone, 1.0, true);
+    return _e199;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -326,17 +326,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

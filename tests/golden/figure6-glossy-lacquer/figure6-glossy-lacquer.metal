@@ -67,7 +67,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape body_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
 constant ProfileShape soft_reflection_tone_shape = ProfileShape {0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u};
 constant ProfileShape window_tone_shape = ProfileShape {0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u};
@@ -82,17 +81,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -124,30 +116,33 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
-Composite blend_alpha(
+Composite blend_add(
     Composite below,
     Color color,
     float tone,
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+}
+
+Composite blend_alpha(
+    Composite below_1,
+    Color color_1,
+    float tone_1,
+    float opacity_1,
+    bool clamped_1
+) {
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color_2,
+    float tone_2
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -164,8 +159,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -243,46 +237,44 @@ float profile_balanced_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float back_light_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(back_light_convexity, metal::float4(0.6275, 0.0706, 0.1255, 1.0), metal::float4(0.2353, 0.0157, 0.0627, 1.0));
-    metal::float3 _e23 = look.key.direction;
-    metal::float3 _e32 = look.key.direction;
-    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    Color _e30 = curvature_color(back_light_convexity, metal::float4(0.6275, 0.0706, 0.1255, 1.0), metal::float4(0.2353, 0.0157, 0.0627, 1.0));
+    metal::float3 _e35 = look.key.direction;
+    metal::float3 _e44 = look.key.direction;
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - _e35), 0.5 * metal::length(surface.normal + _e44)};
     float body_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
-    float _e45 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e48 = look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    metal::float4 body_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.0078, 0.0235) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e68 = curvature_signed_balanced(surface_1.kappa, 0.15);
-    float window_convexity = 0.5 + (0.5 * _e68);
-    Color _e83 = curvature_color(window_convexity, metal::float4(0.3529, 0.1255, 0.1569, 1.0), metal::float4(0.1412, 0.0314, 0.0627, 1.0));
-    Light _e86 = look.key;
-    Angle _e89 = parametrization_specular_balanced(_e86, surface_1.normal, surface_1.view);
+    float _e57 = profile_balanced(body_angle, body_warp, body_tone_shape);
+    Light _e60 = look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    Composite _e71 = blend_add(metal::float4(0.1098, 0.0078, 0.0235, 1.0), _e61.color, _e61.tone, 1.0, true);
+    float window_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))))));
+    Color _e101 = curvature_color(window_convexity, metal::float4(0.3529, 0.1255, 0.1569, 1.0), metal::float4(0.1412, 0.0314, 0.0627, 1.0));
+    Light _e104 = look.key;
+    Angle _e107 = parametrization_specular_balanced(_e104, surface.normal, surface.view);
     float soft_reflection_warp = ((2.0 * window_convexity) - 1.0) * 0.15;
-    float _e97 = profile_balanced(_e89, soft_reflection_warp, soft_reflection_tone_shape);
-    Light _e100 = look.key;
-    LitLayer _e101 = light_apply(_e100, _e83, _e97);
-    metal::float4 soft_reflection_blend = metal::clamp(metal::float4(body_blend.xyz + (_e101.tone * _e101.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e125 = curvature_color(window_convexity, metal::float4(1.0, 0.949, 0.9098, 1.0), metal::float4(0.7843, 0.4549, 0.4863, 1.0));
+    float _e115 = profile_balanced(_e107, soft_reflection_warp, soft_reflection_tone_shape);
+    Light _e118 = look.key;
+    LitLayer _e119 = light_apply(_e118, _e101, _e115);
+    Composite _e124 = blend_add(_e71, _e119.color, _e119.tone, 1.0, true);
+    Color _e135 = curvature_color(window_convexity, metal::float4(1.0, 0.949, 0.9098, 1.0), metal::float4(0.7843, 0.4549, 0.4863, 1.0));
     float window_warp = ((2.0 * window_convexity) - 1.0) * 0.06;
-    float _e133 = profile_balanced_2_(_e89, window_warp, window_tone_shape);
-    Light _e136 = look.key;
-    LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    Composite _e142 = blend_alpha(soft_reflection_blend, _e137.color, _e137.tone, 0.95, true);
-    Color _e153 = curvature_color(back_light_convexity, metal::float4(0.3647, 0.4706, 0.6588, 1.0), metal::float4(0.149, 0.2039, 0.3529, 1.0));
-    metal::float3 _e158 = look.back.direction;
-    metal::float3 _e167 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e158), 0.5 * metal::length(surface_1.normal + _e167)};
+    float _e143 = profile_balanced_2_(_e107, window_warp, window_tone_shape);
+    Light _e146 = look.key;
+    LitLayer _e147 = light_apply(_e146, _e135, _e143);
+    Composite _e152 = blend_alpha(_e124, _e147.color, _e147.tone, 0.95, true);
+    Color _e163 = curvature_color(back_light_convexity, metal::float4(0.3647, 0.4706, 0.6588, 1.0), metal::float4(0.149, 0.2039, 0.3529, 1.0));
+    metal::float3 _e168 = look.back.direction;
+    metal::float3 _e177 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e168), 0.5 * metal::length(surface.normal + _e177)};
     float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * 0.15;
-    float _e180 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e183 = look.back;
-    LitLayer _e184 = light_apply(_e183, _e153, _e180);
-    metal::float4 output = metal::clamp(metal::float4(_e142.xyz + (_e184.tone * _e184.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e190 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e193 = look.back;
+    LitLayer _e194 = light_apply(_e193, _e163, _e190);
+    Composite _e199 = blend_add(_e152, _e194.color, _e194.tone, 1.0, true);
+    return _e199;
 }
 
 struct vs_mainInput {
@@ -300,16 +292,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -334,16 +321,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

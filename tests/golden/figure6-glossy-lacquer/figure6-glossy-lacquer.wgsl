@@ -64,7 +64,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -80,14 +79,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -118,16 +109,17 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -173,8 +165,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -239,33 +230,46 @@ const back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let back_light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let body_color = curvature_color(back_light_convexity, vec4f(0.6275, 0.0706, 0.1255, 1.0), vec4f(0.2353, 0.0157, 0.0627, 1.0));
-    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    let body_color = curvature_color(back_light_convexity, vec4f(0.6275, 0.0706, 0.1255, 1.0),
+        vec4f(0.2353, 0.0157, 0.0627, 1.0));
+    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let body_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     let body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.key, body_color, body_tone);
-    let body_blend = clamp(vec4f(vec4f(0.1098, 0.0078, 0.0235, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let window_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.15);
-    let soft_reflection_color = curvature_color(window_convexity, vec4f(0.3529, 0.1255, 0.1569, 1.0), vec4f(0.1412, 0.0314, 0.0627, 1.0));
+    let body_blend = blend_add(vec4f(0.1098, 0.0078, 0.0235, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
+    let window_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.15, -20.0, 20.0))));
+    let soft_reflection_color = curvature_color(window_convexity,
+        vec4f(0.3529, 0.1255, 0.1569, 1.0), vec4f(0.1412, 0.0314, 0.0627, 1.0));
     let window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let soft_reflection_warp = (2.0 * window_convexity - 1.0) * 0.15;
-    let soft_reflection_tone = profile_balanced(window_angle, soft_reflection_warp, soft_reflection_tone_shape);
+    let soft_reflection_tone = profile_balanced(window_angle, soft_reflection_warp,
+        soft_reflection_tone_shape);
     let soft_reflection_lit = light_apply(look.key, soft_reflection_color, soft_reflection_tone);
-    let soft_reflection_blend = clamp(vec4f(body_blend.xyz + soft_reflection_lit.tone * soft_reflection_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let window_color = curvature_color(window_convexity, vec4f(1.0, 0.949, 0.9098, 1.0), vec4f(0.7843, 0.4549, 0.4863, 1.0));
+    let soft_reflection_blend = blend_add(body_blend, soft_reflection_lit.color,
+        soft_reflection_lit.tone, 1.0, true);
+    let window_color = curvature_color(window_convexity, vec4f(1.0, 0.949, 0.9098, 1.0),
+        vec4f(0.7843, 0.4549, 0.4863, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.06;
     let window_tone = profile_balanced_2(window_angle, window_warp, window_tone_shape);
     let window_lit = light_apply(look.key, window_color, window_tone);
-    let window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone, 0.95, true);
-    let back_light_color = curvature_color(back_light_convexity, vec4f(0.3647, 0.4706, 0.6588, 1.0), vec4f(0.149, 0.2039, 0.3529, 1.0));
-    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone, 0.95,
+        true);
+    let back_light_color = curvature_color(back_light_convexity, vec4f(0.3647, 0.4706, 0.6588, 1.0),
+        vec4f(0.149, 0.2039, 0.3529, 1.0));
+    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.15;
-    let back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, back_light_tone_shape);
+    let back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        back_light_tone_shape);
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    let back_light_blend = clamp(vec4f(window_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = back_light_blend;
-    return output;
+    let back_light_blend = blend_add(window_blend, back_light_lit.color, back_light_lit.tone, 1.0,
+        true);
+    return back_light_blend;
 }
 
 struct Vertex {
@@ -282,21 +286,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

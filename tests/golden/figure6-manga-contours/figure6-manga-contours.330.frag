@@ -82,12 +82,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.5), -20.0, 20.0))))));
+float transition_balanced(float kappa, float slope) {
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 vec4 blend_multiply(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -99,19 +95,9 @@ LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-}
-
-LitLayer light_apply_3_(Light light_2, vec4 color_3, float tone_3) {
-    vec2 split_2 = vec2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    return LitLayer(vec4((light_2.color * split_2.y), 1.0), (tone_3 * split_2.x));
-}
-
-Angle parametrization_screen_aligned_balanced(Light light_3, vec3 normal, mat3x3 camera_from_world) {
+Angle parametrization_screen_aligned_balanced(Light light_1, vec3 normal, mat3x3 camera_from_world) {
     vec3 d = (camera_from_world * normal);
-    return Angle((0.5 * length((d - light_3.own_direction))), (0.5 * length((d + light_3.own_direction))));
+    return Angle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
 }
 
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
@@ -129,48 +115,42 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_1) {
     return _e15;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle inked_hollows_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float shadow_convexity = (0.5 + (0.5 * _e22));
-    float shadow_warp = (((2.0 * shadow_convexity) - 1.0) * 0.35);
-    float _e34 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    Light _e37 = u_look.key;
-    LitLayer _e43 = light_apply(_e37, vec4(0.9843, 0.9765, 0.9569, 1.0), _e34);
-    vec4 _e53 = blend_multiply(vec4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
-    float _e56 = curvature_signed_balanced_2_(surface_1.kappa, 0.5);
-    float inked_hollows_convexity = (0.5 + (0.5 * _e56));
-    vec4 _e68 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e71 = u_look.key;
-    LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    vec4 inked_hollows_blend = clamp(vec4((_e53.xyz * (_e73.tone * _e73.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    Light _e89 = u_look.eye;
-    mat3x3 _e93 = u_look.camera_from_world;
-    Angle _e94 = parametrization_screen_aligned_balanced(_e89, surface_1.normal, _e93);
-    float _e97 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e97));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.3);
-    float _e109 = profile_balanced(_e94, contour_warp, contour_tone_shape);
-    Light _e112 = u_look.eye;
-    LitLayer _e115 = light_apply_3_(_e112, vec4(1.0), _e109);
-    vec4 output_ = clamp(vec4((inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    Angle inked_hollows_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
+    float _e22 = transition_balanced(surface.kappa, 0.3);
+    float shadow_warp = (((2.0 * _e22) - 1.0) * 0.35);
+    float _e30 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    Light _e33 = u_look.key;
+    LitLayer _e39 = light_apply(_e33, vec4(0.9843, 0.9765, 0.9569, 1.0), _e30);
+    vec4 _e49 = blend_multiply(vec4(0.9843, 0.9765, 0.9569, 1.0), _e39.color, _e39.tone, 0.5, true);
+    float _e52 = transition_balanced(surface.kappa, 0.5);
+    vec4 _e60 = curvature_color(_e52, vec4(1.0), vec4(0.1647, 0.1451, 0.1882, 1.0));
+    Light _e63 = u_look.key;
+    LitLayer _e65 = light_apply(_e63, _e60, 1.0);
+    vec4 inked_hollows_blend = clamp(vec4((_e49.xyz * (_e65.tone * _e65.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    Light _e81 = u_look.eye;
+    mat3x3 _e85 = u_look.camera_from_world;
+    Angle _e86 = parametrization_screen_aligned_balanced(_e81, surface.normal, _e85);
+    float _e89 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e89) - 1.0) * 0.3);
+    float _e97 = profile_balanced(_e86, contour_warp, contour_tone_shape);
+    Light _e100 = u_look.eye;
+    LitLayer _e103 = light_apply(_e100, vec4(1.0), _e97);
+    vec4 contour_blend = clamp(vec4((inked_hollows_blend.xyz * (_e103.tone * _e103.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return contour_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    vec4 _e17 = shade(_e16);
-    out_color = _e17;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, _e11.x);
+    vec4 _e14 = shade(surface_1);
+    out_color = _e14;
     return;
 }
 

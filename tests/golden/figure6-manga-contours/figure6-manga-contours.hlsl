@@ -151,14 +151,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.5), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_multiply(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -180,24 +175,10 @@ LitLayer light_apply(Light light, float4 color_1, float tone_1)
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-    return litlayer_1;
-}
-
-LitLayer light_apply_3_(Light light_2, float4 color_3, float tone_3)
-{
-    float2 split_2 = float2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4((light_2.color * split_2.y), 1.0), (tone_3 * split_2.x));
-    return litlayer_2;
-}
-
-Angle parametrization_screen_aligned_balanced(Light light_3, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light_1, float3 normal, float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_3.own_direction))), (0.5 * length((d + light_3.own_direction))));
+    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
     return angle_2;
 }
 
@@ -218,51 +199,57 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_1)
     return _e15;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle inked_hollows_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float shadow_convexity = (0.5 + (0.5 * _e22));
-    float shadow_warp = (((2.0 * shadow_convexity) - 1.0) * 0.35);
-    const float _e34 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    Light _e37 = look.key;
-    const LitLayer _e43 = light_apply(_e37, float4(0.9843, 0.9765, 0.9569, 1.0), _e34);
-    const float4 _e53 = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
-    const float _e56 = curvature_signed_balanced_2_(surface_1.kappa, 0.5);
-    float inked_hollows_convexity = (0.5 + (0.5 * _e56));
-    const float4 _e68 = curvature_color(inked_hollows_convexity, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e71 = look.key;
-    const LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    float4 inked_hollows_blend = clamp(float4((_e53.xyz * (_e73.tone * _e73.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e89 = look.eye;
-    float3x3 _e93 = look.camera_from_world;
-    const Angle _e94 = parametrization_screen_aligned_balanced(_e89, surface_1.normal, _e93);
-    const float _e97 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e97));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.3);
-    const float _e109 = profile_balanced(_e94, contour_warp, contour_tone_shape);
-    Light _e112 = look.eye;
-    const LitLayer _e115 = light_apply_3_(_e112, (1.0).xxxx, _e109);
-    float4 output = clamp(float4((inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    Angle inked_hollows_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
+    const float _e22 = transition_balanced(surface.kappa, 0.3);
+    float shadow_warp = (((2.0 * _e22) - 1.0) * 0.35);
+    const float _e30 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    Light _e33 = look.key;
+    const LitLayer _e39 = light_apply(_e33, float4(0.9843, 0.9765, 0.9569, 1.0), _e30);
+    const float4 _e49 = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0), _e39.color, _e39.tone, 0.5, true);
+    const float _e52 = transition_balanced(surface.kappa, 0.5);
+    const float4 _e60 = curvature_color(_e52, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
+    Light _e63 = look.key;
+    const LitLayer _e65 = light_apply(_e63, _e60, 1.0);
+    float4 inked_hollows_blend = clamp(float4((_e49.xyz * (_e65.tone * _e65.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e81 = look.eye;
+    float3x3 _e85 = look.camera_from_world;
+    const Angle _e86 = parametrization_screen_aligned_balanced(_e81, surface.normal, _e85);
+    const float _e89 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e89) - 1.0) * 0.3);
+    const float _e97 = profile_balanced(_e86, contour_warp, contour_tone_shape);
+    Light _e100 = look.eye;
+    const LitLayer _e103 = light_apply(_e100, (1.0).xxxx, _e97);
+    float4 contour_blend = clamp(float4((inked_hollows_blend.xyz * (_e103.tone * _e103.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return contour_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.kappa = arg1;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -273,14 +260,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    const float4 _e17 = shade(_e16);
-    return _e17;
+    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, _e11.x);
+    const float4 _e14 = shade(surface_1);
+    return _e14;
 }

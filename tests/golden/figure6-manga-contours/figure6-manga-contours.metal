@@ -113,18 +113,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.5, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
 Composite blend_multiply(
@@ -146,31 +139,13 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_2,
-    float tone_2
-) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
-}
-
-LitLayer light_apply_3_(
-    Light light_2,
-    Color color_3,
-    float tone_3
-) {
-    metal::float2 split_2 = metal::float2(metal::min(light_2.intensity, 1.0), metal::max(light_2.intensity, 1.0));
-    return LitLayer {metal::float4(light_2.color * split_2.y, 1.0), tone_3 * split_2.x};
-}
-
 Angle parametrization_screen_aligned_balanced(
-    Light light_3,
+    Light light_1,
     metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d = camera_from_world * normal;
-    return Angle {0.5 * metal::length(d - light_3.own_direction), 0.5 * metal::length(d + light_3.own_direction)};
+    return Angle {0.5 * metal::length(d - light_1.own_direction), 0.5 * metal::length(d + light_1.own_direction)};
 }
 
 float profile_ramp_quick(
@@ -197,36 +172,33 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle inked_hollows_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float shadow_convexity = 0.5 + (0.5 * _e22);
-    float shadow_warp = ((2.0 * shadow_convexity) - 1.0) * 0.35;
-    float _e34 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    Light _e37 = look.key;
-    LitLayer _e43 = light_apply(_e37, metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e34);
-    Composite _e53 = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
-    float _e56 = curvature_signed_balanced_2_(surface_1.kappa, 0.5);
-    float inked_hollows_convexity = 0.5 + (0.5 * _e56);
-    Color _e68 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e71 = look.key;
-    LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e53.xyz * (_e73.tone * _e73.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e89 = look.eye;
-    metal::float3x3 _e93 = look.camera_from_world;
-    Angle _e94 = parametrization_screen_aligned_balanced(_e89, surface_1.normal, _e93);
-    float _e97 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float contour_convexity = 0.5 + (0.5 * _e97);
-    float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.3;
-    float _e109 = profile_balanced(_e94, contour_warp, contour_tone_shape);
-    Light _e112 = look.eye;
-    LitLayer _e115 = light_apply_3_(_e112, metal::float4(1.0), _e109);
-    metal::float4 output = metal::clamp(metal::float4(inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    Angle inked_hollows_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
+    float _e22 = transition_balanced(surface.kappa, 0.3);
+    float shadow_warp = ((2.0 * _e22) - 1.0) * 0.35;
+    float _e30 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    Light _e33 = look.key;
+    LitLayer _e39 = light_apply(_e33, metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e30);
+    Composite _e49 = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e39.color, _e39.tone, 0.5, true);
+    float _e52 = transition_balanced(surface.kappa, 0.5);
+    Color _e60 = curvature_color(_e52, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
+    Light _e63 = look.key;
+    LitLayer _e65 = light_apply(_e63, _e60, 1.0);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e49.xyz * (_e65.tone * _e65.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e81 = look.eye;
+    metal::float3x3 _e85 = look.camera_from_world;
+    Angle _e86 = parametrization_screen_aligned_balanced(_e81, surface.normal, _e85);
+    float _e89 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = ((2.0 * _e89) - 1.0) * 0.3;
+    float _e97 = profile_balanced(_e86, contour_warp, contour_tone_shape);
+    Light _e100 = look.eye;
+    LitLayer _e103 = light_apply(_e100, metal::float4(1.0), _e97);
+    metal::float4 contour_blend = metal::clamp(metal::float4(inked_hollows_blend.xyz * (_e103.tone * _e103.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return contour_blend;
 }
 
 struct vs_mainInput {
@@ -243,15 +215,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -274,13 +242,10 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    metal::float4 _e17 = shade(_e16, look);
-    return fs_mainOutput { _e17 };
+    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, _e11.x};
+    metal::float4 _e14 = shade(surface_1, look);
+    return fs_mainOutput { _e14 };
 }

@@ -109,16 +109,9 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.5, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 fn blend_multiply(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -134,24 +127,6 @@ fn blend_multiply(below: Composite, color: Color, tone: f32, opacity: f32, clamp
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_3(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -206,24 +181,27 @@ const contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let inked_hollows_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let shadow_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
-    let shadow_warp = (2.0 * shadow_convexity - 1.0) * 0.35;
+    let inked_hollows_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
+    let shadow_warp = (2.0 * transition_balanced(surface.kappa, 0.3) - 1.0) * 0.35;
     let shadow_tone = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
     let shadow_lit = light_apply(look.key, vec4f(0.9843, 0.9765, 0.9569, 1.0), shadow_tone);
-    let shadow_blend = blend_multiply(vec4f(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color, shadow_lit.tone, 0.5, true);
-    let inked_hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.5);
-    let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0), vec4f(0.1647, 0.1451, 0.1882, 1.0));
-    let inked_hollows_lit = light_apply_2(look.key, inked_hollows_color, 1.0);
-    let inked_hollows_blend = clamp(vec4f(shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    let contour_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.12);
-    let contour_warp = (2.0 * contour_convexity - 1.0) * 0.3;
+    let shadow_blend = blend_multiply(vec4f(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color,
+        shadow_lit.tone, 0.5, true);
+    let inked_hollows_convexity = transition_balanced(surface.kappa, 0.5);
+    let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0),
+        vec4f(0.1647, 0.1451, 0.1882, 1.0));
+    let inked_hollows_lit = light_apply(look.key, inked_hollows_color, 1.0);
+    let inked_hollows_blend = clamp(vec4f(shadow_blend.xyz
+        * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.3;
     let contour_tone = profile_balanced(contour_angle, contour_warp, contour_tone_shape);
-    let contour_lit = light_apply_3(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = contour_blend;
-    return output;
+    let contour_lit = light_apply(look.eye, vec4f(1.0), contour_tone);
+    let contour_blend = clamp(vec4f(inked_hollows_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return contour_blend;
 }
 
 struct Vertex {
@@ -239,19 +217,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -41,7 +41,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
 const ProfileShape light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
 
@@ -57,15 +56,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -88,29 +82,19 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-}
-
-Angle parametrization_screen_aligned_balanced(Light light_2, vec3 normal, mat3x3 camera_from_world) {
+Angle parametrization_screen_aligned_balanced(Light light_1, vec3 normal, mat3x3 camera_from_world) {
     vec3 d = (camera_from_world * normal);
-    return Angle((0.5 * length((d - light_2.own_direction))), (0.5 * length((d + light_2.own_direction))));
+    return Angle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -146,47 +130,42 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_side_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
-    Light _e21 = u_look.below;
-    mat3x3 _e25 = u_look.camera_from_world;
-    Angle _e26 = parametrization_screen_aligned_balanced(_e21, surface_1.normal, _e25);
+vec4 shade(Surface surface) {
+    float light_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
+    Light _e33 = u_look.below;
+    mat3x3 _e37 = u_look.camera_from_world;
+    Angle _e38 = parametrization_screen_aligned_balanced(_e33, surface.normal, _e37);
     float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    float _e34 = profile_balanced(_e26, light_side_warp, dark_side_tone_shape);
-    Light _e37 = u_look.below;
-    LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), _e38.color.xyz, _e38.tone)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e64 = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e67 = u_look.above;
-    mat3x3 _e71 = u_look.camera_from_world;
-    Angle _e72 = parametrization_screen_aligned_balanced(_e67, surface_1.normal, _e71);
-    float _e74 = profile_balanced(_e72, light_side_warp, light_side_tone_shape);
-    Light _e77 = u_look.above;
-    LitLayer _e78 = light_apply(_e77, _e64, _e74);
-    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e96 = curvature_signed_balanced(surface_1.kappa, 0.4);
-    float hollows_convexity = (0.5 + (0.5 * _e96));
-    vec4 _e108 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e111 = u_look.above;
-    LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
-    vec4 output_ = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e46 = profile_balanced(_e38, light_side_warp, dark_side_tone_shape);
+    Light _e49 = u_look.below;
+    LitLayer _e50 = light_apply(_e49, _e30, _e46);
+    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), _e50.color.xyz, _e50.tone)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e76 = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e79 = u_look.above;
+    mat3x3 _e83 = u_look.camera_from_world;
+    Angle _e84 = parametrization_screen_aligned_balanced(_e79, surface.normal, _e83);
+    float _e86 = profile_balanced(_e84, light_side_warp, light_side_tone_shape);
+    Light _e89 = u_look.above;
+    LitLayer _e90 = light_apply(_e89, _e76, _e86);
+    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (_e90.tone * (_e90.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.4), -20.0, 20.0))))))));
+    vec4 _e132 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e135 = u_look.above;
+    LitLayer _e137 = light_apply(_e135, _e132, 1.0);
+    vec4 hollows_blend = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e137.tone * _e137.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return hollows_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    vec4 _e17 = shade(_e16);
-    out_color = _e17;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, _e11.x);
+    vec4 _e14 = shade(surface_1);
+    out_color = _e14;
     return;
 }
 

@@ -88,7 +88,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape dark_side_tone_shape = ConstructProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
 static const ProfileShape light_side_tone_shape = ConstructProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
 
@@ -115,16 +114,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -158,11 +151,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -177,25 +165,17 @@ LitLayer light_apply(Light light, float4 color, float tone)
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
-    return litlayer_1;
-}
-
-Angle parametrization_screen_aligned_balanced(Light light_2, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light_1, float3 normal, float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_2.own_direction))), (0.5 * length((d + light_2.own_direction))));
+    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
     return angle_2;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -234,50 +214,57 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_side_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(light_side_convexity, float4(0.4275, 0.4078, 0.4745, 1.0), float4(0.2275, 0.2078, 0.2784, 1.0));
-    Light _e21 = look.below;
-    float3x3 _e25 = look.camera_from_world;
-    const Angle _e26 = parametrization_screen_aligned_balanced(_e21, surface_1.normal, _e25);
+    float light_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(light_side_convexity, float4(0.4275, 0.4078, 0.4745, 1.0), float4(0.2275, 0.2078, 0.2784, 1.0));
+    Light _e33 = look.below;
+    float3x3 _e37 = look.camera_from_world;
+    const Angle _e38 = parametrization_screen_aligned_balanced(_e33, surface.normal, _e37);
     float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    const float _e34 = profile_balanced(_e26, light_side_warp, dark_side_tone_shape);
-    Light _e37 = look.below;
-    const LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    float4 dark_side_blend = clamp(float4((float3(0.851, 0.8314, 0.7804) * lerp((1.0).xxx, _e38.color.xyz, _e38.tone)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e64 = curvature_color(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e67 = look.above;
-    float3x3 _e71 = look.camera_from_world;
-    const Angle _e72 = parametrization_screen_aligned_balanced(_e67, surface_1.normal, _e71);
-    const float _e74 = profile_balanced(_e72, light_side_warp, light_side_tone_shape);
-    Light _e77 = look.above;
-    const LitLayer _e78 = light_apply(_e77, _e64, _e74);
-    float4 light_side_blend = clamp(float4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e96 = curvature_signed_balanced(surface_1.kappa, 0.4);
-    float hollows_convexity = (0.5 + (0.5 * _e96));
-    const float4 _e108 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e111 = look.above;
-    const LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
-    float4 output = clamp(float4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e46 = profile_balanced(_e38, light_side_warp, dark_side_tone_shape);
+    Light _e49 = look.below;
+    const LitLayer _e50 = light_apply(_e49, _e30, _e46);
+    float4 dark_side_blend = clamp(float4((float3(0.851, 0.8314, 0.7804) * lerp((1.0).xxx, _e50.color.xyz, _e50.tone)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e76 = curvature_color(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e79 = look.above;
+    float3x3 _e83 = look.camera_from_world;
+    const Angle _e84 = parametrization_screen_aligned_balanced(_e79, surface.normal, _e83);
+    const float _e86 = profile_balanced(_e84, light_side_warp, light_side_tone_shape);
+    Light _e89 = look.above;
+    const LitLayer _e90 = light_apply(_e89, _e76, _e86);
+    float4 light_side_blend = clamp(float4((dark_side_blend.xyz + (_e90.tone * (_e90.color.xyz - dark_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.4), -20.0, 20.0))))))));
+    const float4 _e132 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e135 = look.above;
+    const LitLayer _e137 = light_apply(_e135, _e132, 1.0);
+    float4 hollows_blend = clamp(float4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e137.tone * _e137.color.xyz)) - light_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return hollows_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.kappa = arg1;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -288,14 +275,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    const float4 _e17 = shade(_e16);
-    return _e17;
+    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, _e11.x);
+    const float4 _e14 = shade(surface_1);
+    return _e14;
 }

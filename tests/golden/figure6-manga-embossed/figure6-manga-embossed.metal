@@ -65,7 +65,6 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape dark_side_tone_shape = ProfileShape {0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u};
 constant ProfileShape light_side_tone_shape = ProfileShape {0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u};
 
@@ -78,17 +77,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -120,13 +112,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 LitLayer light_apply(
     Light light,
     Color color,
@@ -136,22 +121,13 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_1,
-    float tone_1
-) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
-}
-
 Angle parametrization_screen_aligned_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d = camera_from_world * normal;
-    return Angle {0.5 * metal::length(d - light_2.own_direction), 0.5 * metal::length(d + light_2.own_direction)};
+    return Angle {0.5 * metal::length(d - light_1.own_direction), 0.5 * metal::length(d + light_1.own_direction)};
 }
 
 float profile_soft_quick(
@@ -159,8 +135,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -209,35 +184,33 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float light_side_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(light_side_convexity, metal::float4(0.4275, 0.4078, 0.4745, 1.0), metal::float4(0.2275, 0.2078, 0.2784, 1.0));
-    Light _e21 = look.below;
-    metal::float3x3 _e25 = look.camera_from_world;
-    Angle _e26 = parametrization_screen_aligned_balanced(_e21, surface_1.normal, _e25);
+    float light_side_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))))));
+    Color _e30 = curvature_color(light_side_convexity, metal::float4(0.4275, 0.4078, 0.4745, 1.0), metal::float4(0.2275, 0.2078, 0.2784, 1.0));
+    Light _e33 = look.below;
+    metal::float3x3 _e37 = look.camera_from_world;
+    Angle _e38 = parametrization_screen_aligned_balanced(_e33, surface.normal, _e37);
     float light_side_warp = ((2.0 * light_side_convexity) - 1.0) * 0.35;
-    float _e34 = profile_balanced(_e26, light_side_warp, dark_side_tone_shape);
-    Light _e37 = look.below;
-    LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    metal::float4 dark_side_blend = metal::clamp(metal::float4(metal::float3(0.851, 0.8314, 0.7804) * metal::mix(metal::float3(1.0), _e38.color.xyz, _e38.tone), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e64 = curvature_color(light_side_convexity, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e67 = look.above;
-    metal::float3x3 _e71 = look.camera_from_world;
-    Angle _e72 = parametrization_screen_aligned_balanced(_e67, surface_1.normal, _e71);
-    float _e74 = profile_balanced(_e72, light_side_warp, light_side_tone_shape);
-    Light _e77 = look.above;
-    LitLayer _e78 = light_apply(_e77, _e64, _e74);
-    metal::float4 light_side_blend = metal::clamp(metal::float4(dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e96 = curvature_signed_balanced(surface_1.kappa, 0.4);
-    float hollows_convexity = 0.5 + (0.5 * _e96);
-    Color _e108 = curvature_color(hollows_convexity, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e111 = look.above;
-    LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
-    metal::float4 output = metal::clamp(metal::float4(light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e46 = profile_balanced(_e38, light_side_warp, dark_side_tone_shape);
+    Light _e49 = look.below;
+    LitLayer _e50 = light_apply(_e49, _e30, _e46);
+    metal::float4 dark_side_blend = metal::clamp(metal::float4(metal::float3(0.851, 0.8314, 0.7804) * metal::mix(metal::float3(1.0), _e50.color.xyz, _e50.tone), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e76 = curvature_color(light_side_convexity, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e79 = look.above;
+    metal::float3x3 _e83 = look.camera_from_world;
+    Angle _e84 = parametrization_screen_aligned_balanced(_e79, surface.normal, _e83);
+    float _e86 = profile_balanced(_e84, light_side_warp, light_side_tone_shape);
+    Light _e89 = look.above;
+    LitLayer _e90 = light_apply(_e89, _e76, _e86);
+    metal::float4 light_side_blend = metal::clamp(metal::float4(dark_side_blend.xyz + (_e90.tone * (_e90.color.xyz - dark_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float hollows_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.4, -20.0, 20.0))))));
+    Color _e132 = curvature_color(hollows_convexity, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e135 = look.above;
+    LitLayer _e137 = light_apply(_e135, _e132, 1.0);
+    metal::float4 hollows_blend = metal::clamp(metal::float4(light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e137.tone * _e137.color.xyz)) - light_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return hollows_blend;
 }
 
 struct vs_mainInput {
@@ -254,15 +227,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -285,13 +254,10 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    metal::float4 _e17 = shade(_e16, look);
-    return fs_mainOutput { _e17 };
+    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, _e11.x};
+    metal::float4 _e14 = shade(surface_1, look);
+    return fs_mainOutput { _e14 };
 }

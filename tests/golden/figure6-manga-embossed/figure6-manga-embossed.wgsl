@@ -61,7 +61,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -77,14 +76,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -115,12 +106,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 /// Light on a layer
 ///
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
@@ -128,15 +113,6 @@ fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
 }
 
 struct LitLayer {
@@ -174,8 +150,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -217,24 +192,36 @@ const light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.36
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let light_side_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
-    let dark_side_color = curvature_color(light_side_convexity, vec4f(0.4275, 0.4078, 0.4745, 1.0), vec4f(0.2275, 0.2078, 0.2784, 1.0));
-    let dark_side_angle = parametrization_screen_aligned_balanced(look.below, surface.normal, look.camera_from_world);
+    let light_side_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    let dark_side_color = curvature_color(light_side_convexity, vec4f(0.4275, 0.4078, 0.4745, 1.0),
+        vec4f(0.2275, 0.2078, 0.2784, 1.0));
+    let dark_side_angle = parametrization_screen_aligned_balanced(look.below, surface.normal,
+        look.camera_from_world);
     let light_side_warp = (2.0 * light_side_convexity - 1.0) * 0.35;
     let dark_side_tone = profile_balanced(dark_side_angle, light_side_warp, dark_side_tone_shape);
     let dark_side_lit = light_apply(look.below, dark_side_color, dark_side_tone);
-    let dark_side_blend = clamp(vec4f(vec4f(0.851, 0.8314, 0.7804, 1.0).xyz * mix(vec3f(1.0), dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), vec4f(0.0), vec4f(1.0));
-    let light_side_color = curvature_color(light_side_convexity, vec4f(1.0), vec4f(0.9529, 0.9176, 0.8471, 1.0));
-    let light_side_angle = parametrization_screen_aligned_balanced(look.above, surface.normal, look.camera_from_world);
-    let light_side_tone = profile_balanced(light_side_angle, light_side_warp, light_side_tone_shape);
+    let dark_side_blend = clamp(vec4f(vec4f(0.851, 0.8314, 0.7804, 1.0).xyz
+        * mix(vec3f(1.0), dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    let light_side_color = curvature_color(light_side_convexity, vec4f(1.0),
+        vec4f(0.9529, 0.9176, 0.8471, 1.0));
+    let light_side_angle = parametrization_screen_aligned_balanced(look.above, surface.normal,
+        look.camera_from_world);
+    let light_side_tone = profile_balanced(light_side_angle, light_side_warp,
+        light_side_tone_shape);
     let light_side_lit = light_apply(look.above, light_side_color, light_side_tone);
-    let light_side_blend = clamp(vec4f(dark_side_blend.xyz + light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.4);
-    let hollows_color = curvature_color(hollows_convexity, vec4f(1.0), vec4f(0.4667, 0.4392, 0.5412, 1.0));
-    let hollows_lit = light_apply_2(look.above, hollows_color, 1.0);
-    let hollows_blend = clamp(vec4f(light_side_blend.xyz + 0.8 * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - light_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = hollows_blend;
-    return output;
+    let light_side_blend = clamp(vec4f(dark_side_blend.xyz + light_side_lit.tone
+        * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.4, -20.0, 20.0))));
+    let hollows_color = curvature_color(hollows_convexity, vec4f(1.0),
+        vec4f(0.4667, 0.4392, 0.5412, 1.0));
+    let hollows_lit = light_apply(look.above, hollows_color, 1.0);
+    let hollows_blend = clamp(vec4f(light_side_blend.xyz + 0.8
+        * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)
+        - light_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return hollows_blend;
 }
 
 struct Vertex {
@@ -250,19 +237,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

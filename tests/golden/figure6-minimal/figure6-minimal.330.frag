@@ -46,7 +46,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -64,15 +63,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -91,10 +85,6 @@ Angle angle_turned(Angle u_1, vec2 t) {
     return Angle(turned.x, turned.y);
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4((light.color * split.y), 1.0), (tone * split.x));
@@ -107,8 +97,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -144,34 +133,29 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
-    Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
-    float _e9 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float white_specular_convexity = (0.5 + (0.5 * _e9));
+    Angle _e6 = parametrization_specular_balanced(_e3, surface.normal, surface.view);
+    float white_specular_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.35), -20.0, 20.0))))))));
     float white_specular_warp = (((2.0 * white_specular_convexity) - 1.0) * 0.7);
-    float _e21 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
-    Light _e24 = u_look.key;
-    LitLayer _e27 = light_apply(_e24, vec4(1.0), _e21);
-    vec4 output_ = clamp(vec4((vec3(0.0) + (_e27.tone * (_e27.color.xyz - vec3(0.0)))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e33 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
+    Light _e36 = u_look.key;
+    LitLayer _e39 = light_apply(_e36, vec4(1.0), _e33);
+    vec4 white_specular_blend = clamp(vec4((vec3(0.0) + (_e39.tone * (_e39.color.xyz - vec3(0.0)))), 1.0), vec4(0.0), vec4(1.0));
+    return white_specular_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -88,7 +88,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape white_specular_tone_shape = ConstructProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
 
 cbuffer view_1 : register(b0) { View view_1; }
@@ -116,16 +115,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -154,11 +147,6 @@ Angle angle_turned(Angle u_1, float2 t)
     return angle_1;
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -183,8 +171,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 vie
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -223,35 +210,44 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
-    const Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
-    const float _e9 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float white_specular_convexity = (0.5 + (0.5 * _e9));
+    const Angle _e6 = parametrization_specular_balanced(_e3, surface.normal, surface.view);
+    float white_specular_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.35), -20.0, 20.0))))))));
     float white_specular_warp = (((2.0 * white_specular_convexity) - 1.0) * 0.7);
-    const float _e21 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
-    Light _e24 = look.key;
-    const LitLayer _e27 = light_apply(_e24, (1.0).xxxx, _e21);
-    float4 output = clamp(float4(((0.0).xxx + (_e27.tone * (_e27.color.xyz - (0.0).xxx))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e33 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
+    Light _e36 = look.key;
+    const LitLayer _e39 = light_apply(_e36, (1.0).xxxx, _e33);
+    float4 white_specular_blend = clamp(float4(((0.0).xxx + (_e39.tone * (_e39.color.xyz - (0.0).xxx))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return white_specular_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -262,17 +258,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

@@ -65,7 +65,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape white_specular_tone_shape = ProfileShape {0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u};
 
 metal::float3 normalize_seen_balanced(
@@ -77,17 +76,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -109,13 +101,6 @@ Angle angle_turned(
     metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
     metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 LitLayer light_apply(
@@ -141,8 +126,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -191,19 +175,18 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
-    Angle _e6 = parametrization_specular_balanced(_e3, surface_1.normal, surface_1.view);
-    float _e9 = curvature_signed_balanced(surface_1.kappa, 0.35);
-    float white_specular_convexity = 0.5 + (0.5 * _e9);
+    Angle _e6 = parametrization_specular_balanced(_e3, surface.normal, surface.view);
+    float white_specular_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.35, -20.0, 20.0))))));
     float white_specular_warp = ((2.0 * white_specular_convexity) - 1.0) * 0.7;
-    float _e21 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
-    Light _e24 = look.key;
-    LitLayer _e27 = light_apply(_e24, metal::float4(1.0), _e21);
-    metal::float4 output = metal::clamp(metal::float4(metal::float3(0.0) + (_e27.tone * (_e27.color.xyz - metal::float3(0.0))), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e33 = profile_balanced(_e6, white_specular_warp, white_specular_tone_shape);
+    Light _e36 = look.key;
+    LitLayer _e39 = light_apply(_e36, metal::float4(1.0), _e33);
+    metal::float4 white_specular_blend = metal::clamp(metal::float4(metal::float3(0.0) + (_e39.tone * (_e39.color.xyz - metal::float3(0.0))), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return white_specular_blend;
 }
 
 struct vs_mainInput {
@@ -221,16 +204,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -255,16 +233,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -60,7 +60,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -76,14 +75,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -105,12 +96,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// Light on a layer
@@ -156,8 +141,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -198,14 +182,17 @@ const white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let white_specular_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    let white_specular_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.35);
+    let white_specular_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    let white_specular_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.35, -20.0, 20.0))));
     let white_specular_warp = (2.0 * white_specular_convexity - 1.0) * 0.7;
-    let white_specular_tone = profile_balanced(white_specular_angle, white_specular_warp, white_specular_tone_shape);
+    let white_specular_tone = profile_balanced(white_specular_angle, white_specular_warp,
+        white_specular_tone_shape);
     let white_specular_lit = light_apply(look.key, vec4f(1.0), white_specular_tone);
-    let white_specular_blend = clamp(vec4f(0.0 + white_specular_lit.tone * (white_specular_lit.color.xyz - 0.0), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = white_specular_blend;
-    return output;
+    let white_specular_blend = clamp(vec4f(0.0 + white_specular_lit.tone
+        * (white_specular_lit.color.xyz - 0.0), 1.0), vec4f(0.0), vec4f(1.0));
+    return white_specular_blend;
 }
 
 struct Vertex {
@@ -222,21 +209,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -111,10 +111,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
     if ((opacity <= 0.0)) {
         return below;
@@ -170,8 +166,7 @@ float profile_soft_quick(float s, ProfileShape shape_1) {
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
     float q_1 = (s_1 * shape_2.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
@@ -264,77 +259,71 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float glint_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e10 = u_look.wing_case_color_concave;
-    vec4 _e13 = u_look.wing_case_color_convex;
-    vec4 _e16 = u_look.wing_case_color_concave;
-    vec4 wing_case_color = (_e10 + (glint_convexity * (_e13 - _e16)));
-    vec3 _e24 = u_look.key.direction;
-    vec3 _e33 = u_look.key.direction;
-    Angle hollows_angle = Angle((0.5 * length((surface_1.normal - _e24))), (0.5 * length((surface_1.normal + _e33))));
+vec4 shade(Surface surface) {
+    float glint_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    vec4 _e22 = u_look.wing_case_color_concave;
+    vec4 _e25 = u_look.wing_case_color_convex;
+    vec4 _e28 = u_look.wing_case_color_concave;
+    vec4 wing_case_color = (_e22 + (glint_convexity * (_e25 - _e28)));
+    vec3 _e36 = u_look.key.direction;
+    vec3 _e45 = u_look.key.direction;
+    Angle hollows_angle = Angle((0.5 * length((surface.normal - _e36))), (0.5 * length((surface.normal + _e45))));
     float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
-    ProfileShape _e47 = u_look.wing_case_tone_shape;
-    float _e48 = profile_balanced(hollows_angle, wing_case_warp, _e47);
-    Light _e51 = u_look.key;
-    LitLayer _e52 = light_apply(_e51, wing_case_color, _e48);
-    vec4 _e62 = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), _e52.color, _e52.tone, 1.0, true);
-    vec4 _e73 = curvature_color(glint_convexity, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e76 = u_look.side;
-    Angle _e79 = parametrization_specular_balanced(_e76, surface_1.normal, surface_1.view);
+    ProfileShape _e59 = u_look.wing_case_tone_shape;
+    float _e60 = profile_balanced(hollows_angle, wing_case_warp, _e59);
+    Light _e63 = u_look.key;
+    LitLayer _e64 = light_apply(_e63, wing_case_color, _e60);
+    vec4 _e74 = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), _e64.color, _e64.tone, 1.0, true);
+    vec4 _e85 = curvature_color(glint_convexity, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
+    Light _e88 = u_look.side;
+    Angle _e91 = parametrization_specular_balanced(_e88, surface.normal, surface.view);
     float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
-    float _e87 = profile_balanced_2_(_e79, gold_warp, violet_tone_shape);
-    Light _e90 = u_look.side;
-    LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
-    vec4 violet_blend = clamp(vec4((_e62.xyz + (_e91.tone * _e91.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e107 = u_look.gold_color_convex;
-    vec4 _e113 = curvature_color(glint_convexity, _e107, vec4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e116 = u_look.key;
-    Angle _e119 = parametrization_specular_balanced(_e116, surface_1.normal, surface_1.view);
-    float _e121 = profile_balanced_3_(_e119, gold_warp, gold_tone_shape);
-    Light _e124 = u_look.key;
-    LitLayer _e125 = light_apply(_e124, _e113, _e121);
-    vec4 _e136 = blend_finish(violet_blend, (violet_blend.xyz + (_e125.tone * _e125.color.xyz)), 1.0, _e125.color.w, true);
-    vec4 _e139 = u_look.green_sheen_color_convex;
-    vec4 _e145 = curvature_color(glint_convexity, _e139, vec4(0.1647, 0.5412, 0.3529, 1.0));
+    float _e99 = profile_balanced_2_(_e91, gold_warp, violet_tone_shape);
+    Light _e102 = u_look.side;
+    LitLayer _e103 = light_apply_2_(_e102, _e85, _e99);
+    vec4 violet_blend = clamp(vec4((_e74.xyz + (_e103.tone * _e103.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e119 = u_look.gold_color_convex;
+    vec4 _e125 = curvature_color(glint_convexity, _e119, vec4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e128 = u_look.key;
+    Angle _e131 = parametrization_specular_balanced(_e128, surface.normal, surface.view);
+    float _e133 = profile_balanced_3_(_e131, gold_warp, gold_tone_shape);
+    Light _e136 = u_look.key;
+    LitLayer _e137 = light_apply(_e136, _e125, _e133);
+    vec4 _e148 = blend_finish(violet_blend, (violet_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0, _e137.color.w, true);
+    vec4 _e151 = u_look.green_sheen_color_convex;
+    vec4 _e157 = curvature_color(glint_convexity, _e151, vec4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    float _e153 = profile_balanced_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
-    Light _e156 = u_look.key;
-    LitLayer _e157 = light_apply(_e156, _e145, _e153);
-    vec4 _e168 = blend_finish(_e136, (_e136.xyz + (_e157.tone * _e157.color.xyz)), 1.0, _e157.color.w, true);
-    vec4 _e176 = curvature_color(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
+    float _e165 = profile_balanced_3_(_e131, green_sheen_warp, green_sheen_tone_shape);
+    Light _e168 = u_look.key;
+    LitLayer _e169 = light_apply(_e168, _e157, _e165);
+    vec4 _e180 = blend_finish(_e148, (_e148.xyz + (_e169.tone * _e169.color.xyz)), 1.0, _e169.color.w, true);
+    vec4 _e188 = curvature_color(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
-    float _e184 = profile_balanced_3_(_e119, glint_warp, glint_tone_shape);
-    Light _e187 = u_look.key;
-    LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
-    vec4 glint_blend = clamp(vec4((_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e206 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float hollows_convexity = (0.5 + (0.5 * _e206));
-    vec4 _e213 = u_look.hollows_color_concave;
-    vec4 _e218 = u_look.hollows_color_concave;
-    vec4 hollows_color = (_e213 + (hollows_convexity * (vec4(1.0) - _e218)));
-    Light _e224 = u_look.key;
-    LitLayer _e226 = light_apply_3_(_e224, hollows_color, 1.0);
-    vec4 _e237 = blend_finish(glint_blend, (glint_blend.xyz * (_e226.tone * _e226.color.xyz)), 1.0, _e226.color.w, true);
-    return _e237;
+    float _e196 = profile_balanced_3_(_e131, glint_warp, glint_tone_shape);
+    Light _e199 = u_look.key;
+    LitLayer _e200 = light_apply_2_(_e199, _e188, _e196);
+    vec4 glint_blend = clamp(vec4((_e180.xyz + (_e200.tone * (_e200.color.xyz - _e180.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    vec4 _e237 = u_look.hollows_color_concave;
+    vec4 _e242 = u_look.hollows_color_concave;
+    vec4 hollows_color = (_e237 + (hollows_convexity * (vec4(1.0) - _e242)));
+    Light _e248 = u_look.key;
+    LitLayer _e250 = light_apply_3_(_e248, hollows_color, 1.0);
+    vec4 _e261 = blend_finish(glint_blend, (glint_blend.xyz * (_e250.tone * _e250.color.xyz)), 1.0, _e250.color.w, true);
+    return _e261;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

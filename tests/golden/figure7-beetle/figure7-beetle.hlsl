@@ -171,11 +171,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
     if ((opacity <= 0.0)) {
@@ -253,8 +248,7 @@ float profile_soft_quick(float s, ProfileShape shape_1)
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
 {
     float q_1 = (s_1 * shape_2.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3)
@@ -355,78 +349,86 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float glint_convexity = (0.5 + (0.5 * _e3));
-    float4 _e10 = look.wing_case_color_concave;
-    float4 _e13 = look.wing_case_color_convex;
-    float4 _e16 = look.wing_case_color_concave;
-    float4 wing_case_color = (_e10 + (glint_convexity * (_e13 - _e16)));
-    float3 _e24 = look.key.direction;
-    float3 _e33 = look.key.direction;
-    Angle hollows_angle = ConstructAngle((0.5 * length((surface_1.normal - _e24))), (0.5 * length((surface_1.normal + _e33))));
+    float glint_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    float4 _e22 = look.wing_case_color_concave;
+    float4 _e25 = look.wing_case_color_convex;
+    float4 _e28 = look.wing_case_color_concave;
+    float4 wing_case_color = (_e22 + (glint_convexity * (_e25 - _e28)));
+    float3 _e36 = look.key.direction;
+    float3 _e45 = look.key.direction;
+    Angle hollows_angle = ConstructAngle((0.5 * length((surface.normal - _e36))), (0.5 * length((surface.normal + _e45))));
     float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
-    ProfileShape _e47 = look.wing_case_tone_shape;
-    const float _e48 = profile_balanced(hollows_angle, wing_case_warp, _e47);
-    Light _e51 = look.key;
-    const LitLayer _e52 = light_apply(_e51, wing_case_color, _e48);
-    const float4 _e62 = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), _e52.color, _e52.tone, 1.0, true);
-    const float4 _e73 = curvature_color(glint_convexity, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e76 = look.side;
-    const Angle _e79 = parametrization_specular_balanced(_e76, surface_1.normal, surface_1.view);
+    ProfileShape _e59 = look.wing_case_tone_shape;
+    const float _e60 = profile_balanced(hollows_angle, wing_case_warp, _e59);
+    Light _e63 = look.key;
+    const LitLayer _e64 = light_apply(_e63, wing_case_color, _e60);
+    const float4 _e74 = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), _e64.color, _e64.tone, 1.0, true);
+    const float4 _e85 = curvature_color(glint_convexity, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
+    Light _e88 = look.side;
+    const Angle _e91 = parametrization_specular_balanced(_e88, surface.normal, surface.view);
     float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
-    const float _e87 = profile_balanced_2_(_e79, gold_warp, violet_tone_shape);
-    Light _e90 = look.side;
-    const LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
-    float4 violet_blend = clamp(float4((_e62.xyz + (_e91.tone * _e91.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float4 _e107 = look.gold_color_convex;
-    const float4 _e113 = curvature_color(glint_convexity, _e107, float4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e116 = look.key;
-    const Angle _e119 = parametrization_specular_balanced(_e116, surface_1.normal, surface_1.view);
-    const float _e121 = profile_balanced_3_(_e119, gold_warp, gold_tone_shape);
-    Light _e124 = look.key;
-    const LitLayer _e125 = light_apply(_e124, _e113, _e121);
-    const float4 _e136 = blend_finish(violet_blend, (violet_blend.xyz + (_e125.tone * _e125.color.xyz)), 1.0, _e125.color.w, true);
-    float4 _e139 = look.green_sheen_color_convex;
-    const float4 _e145 = curvature_color(glint_convexity, _e139, float4(0.1647, 0.5412, 0.3529, 1.0));
+    const float _e99 = profile_balanced_2_(_e91, gold_warp, violet_tone_shape);
+    Light _e102 = look.side;
+    const LitLayer _e103 = light_apply_2_(_e102, _e85, _e99);
+    float4 violet_blend = clamp(float4((_e74.xyz + (_e103.tone * _e103.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 _e119 = look.gold_color_convex;
+    const float4 _e125 = curvature_color(glint_convexity, _e119, float4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e128 = look.key;
+    const Angle _e131 = parametrization_specular_balanced(_e128, surface.normal, surface.view);
+    const float _e133 = profile_balanced_3_(_e131, gold_warp, gold_tone_shape);
+    Light _e136 = look.key;
+    const LitLayer _e137 = light_apply(_e136, _e125, _e133);
+    const float4 _e148 = blend_finish(violet_blend, (violet_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0, _e137.color.w, true);
+    float4 _e151 = look.green_sheen_color_convex;
+    const float4 _e157 = curvature_color(glint_convexity, _e151, float4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    const float _e153 = profile_balanced_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
-    Light _e156 = look.key;
-    const LitLayer _e157 = light_apply(_e156, _e145, _e153);
-    const float4 _e168 = blend_finish(_e136, (_e136.xyz + (_e157.tone * _e157.color.xyz)), 1.0, _e157.color.w, true);
-    const float4 _e176 = curvature_color(glint_convexity, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
+    const float _e165 = profile_balanced_3_(_e131, green_sheen_warp, green_sheen_tone_shape);
+    Light _e168 = look.key;
+    const LitLayer _e169 = light_apply(_e168, _e157, _e165);
+    const float4 _e180 = blend_finish(_e148, (_e148.xyz + (_e169.tone * _e169.color.xyz)), 1.0, _e169.color.w, true);
+    const float4 _e188 = curvature_color(glint_convexity, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
-    const float _e184 = profile_balanced_3_(_e119, glint_warp, glint_tone_shape);
-    Light _e187 = look.key;
-    const LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
-    float4 glint_blend = clamp(float4((_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e206 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float hollows_convexity = (0.5 + (0.5 * _e206));
-    float4 _e213 = look.hollows_color_concave;
-    float4 _e218 = look.hollows_color_concave;
-    float4 hollows_color = (_e213 + (hollows_convexity * ((1.0).xxxx - _e218)));
-    Light _e224 = look.key;
-    const LitLayer _e226 = light_apply_3_(_e224, hollows_color, 1.0);
-    const float4 _e237 = blend_finish(glint_blend, (glint_blend.xyz * (_e226.tone * _e226.color.xyz)), 1.0, _e226.color.w, true);
-    return _e237;
+    const float _e196 = profile_balanced_3_(_e131, glint_warp, glint_tone_shape);
+    Light _e199 = look.key;
+    const LitLayer _e200 = light_apply_2_(_e199, _e188, _e196);
+    float4 glint_blend = clamp(float4((_e180.xyz + (_e200.tone * (_e200.color.xyz - _e180.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
+    float4 _e237 = look.hollows_color_concave;
+    float4 _e242 = look.hollows_color_concave;
+    float4 hollows_color = (_e237 + (hollows_convexity * ((1.0).xxxx - _e242)));
+    Light _e248 = look.key;
+    const LitLayer _e250 = light_apply_3_(_e248, hollows_color, 1.0);
+    const float4 _e261 = blend_finish(glint_blend, (glint_blend.xyz * (_e250.tone * _e250.color.xyz)), 1.0, _e250.color.w, true);
+    return _e261;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -437,17 +439,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

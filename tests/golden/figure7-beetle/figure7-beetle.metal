@@ -132,13 +132,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 Composite blend_finish(
     Composite below,
     metal::float3 blended,
@@ -236,8 +229,7 @@ float profile_soft_quick_2_(
     ProfileShape shape_2
 ) {
     float q_1 = s_1 * shape_2.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
+    return (s_1 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_1 * q_1), 0.0), shape_2.exponent);
 }
 
 float profile_ramp_quick(
@@ -363,62 +355,60 @@ float profile_balanced_3_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float glint_convexity = 0.5 + (0.5 * _e3);
-    metal::float4 _e10 = look.wing_case_color_concave;
-    metal::float4 _e13 = look.wing_case_color_convex;
-    metal::float4 _e16 = look.wing_case_color_concave;
-    metal::float4 wing_case_color = _e10 + (glint_convexity * (_e13 - _e16));
-    metal::float3 _e24 = look.key.direction;
-    metal::float3 _e33 = look.key.direction;
-    Angle hollows_angle = Angle {0.5 * metal::length(surface_1.normal - _e24), 0.5 * metal::length(surface_1.normal + _e33)};
+    float glint_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    metal::float4 _e22 = look.wing_case_color_concave;
+    metal::float4 _e25 = look.wing_case_color_convex;
+    metal::float4 _e28 = look.wing_case_color_concave;
+    metal::float4 wing_case_color = _e22 + (glint_convexity * (_e25 - _e28));
+    metal::float3 _e36 = look.key.direction;
+    metal::float3 _e45 = look.key.direction;
+    Angle hollows_angle = Angle {0.5 * metal::length(surface.normal - _e36), 0.5 * metal::length(surface.normal + _e45)};
     float wing_case_warp = ((2.0 * glint_convexity) - 1.0) * 0.2;
-    ProfileShape _e47 = look.wing_case_tone_shape;
-    float _e48 = profile_balanced(hollows_angle, wing_case_warp, _e47);
-    Light _e51 = look.key;
-    LitLayer _e52 = light_apply(_e51, wing_case_color, _e48);
-    Composite _e62 = blend_add(metal::float4(0.0157, 0.0627, 0.0392, 1.0), _e52.color, _e52.tone, 1.0, true);
-    Color _e73 = curvature_color(glint_convexity, metal::float4(0.3529, 0.1647, 0.4314, 1.0), metal::float4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e76 = look.side;
-    Angle _e79 = parametrization_specular_balanced(_e76, surface_1.normal, surface_1.view);
+    ProfileShape _e59 = look.wing_case_tone_shape;
+    float _e60 = profile_balanced(hollows_angle, wing_case_warp, _e59);
+    Light _e63 = look.key;
+    LitLayer _e64 = light_apply(_e63, wing_case_color, _e60);
+    Composite _e74 = blend_add(metal::float4(0.0157, 0.0627, 0.0392, 1.0), _e64.color, _e64.tone, 1.0, true);
+    Color _e85 = curvature_color(glint_convexity, metal::float4(0.3529, 0.1647, 0.4314, 1.0), metal::float4(0.1098, 0.0627, 0.251, 1.0));
+    Light _e88 = look.side;
+    Angle _e91 = parametrization_specular_balanced(_e88, surface.normal, surface.view);
     float gold_warp = ((2.0 * glint_convexity) - 1.0) * 0.15;
-    float _e87 = profile_balanced_2_(_e79, gold_warp, violet_tone_shape);
-    Light _e90 = look.side;
-    LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
-    metal::float4 violet_blend = metal::clamp(metal::float4(_e62.xyz + (_e91.tone * _e91.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 _e107 = look.gold_color_convex;
-    Color _e113 = curvature_color(glint_convexity, _e107, metal::float4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e116 = look.key;
-    Angle _e119 = parametrization_specular_balanced(_e116, surface_1.normal, surface_1.view);
-    float _e121 = profile_balanced_3_(_e119, gold_warp, gold_tone_shape);
-    Light _e124 = look.key;
-    LitLayer _e125 = light_apply(_e124, _e113, _e121);
-    Composite _e136 = blend_finish(violet_blend, violet_blend.xyz + (_e125.tone * _e125.color.xyz), 1.0, _e125.color.w, true);
-    metal::float4 _e139 = look.green_sheen_color_convex;
-    Color _e145 = curvature_color(glint_convexity, _e139, metal::float4(0.1647, 0.5412, 0.3529, 1.0));
+    float _e99 = profile_balanced_2_(_e91, gold_warp, violet_tone_shape);
+    Light _e102 = look.side;
+    LitLayer _e103 = light_apply_2_(_e102, _e85, _e99);
+    metal::float4 violet_blend = metal::clamp(metal::float4(_e74.xyz + (_e103.tone * _e103.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 _e119 = look.gold_color_convex;
+    Color _e125 = curvature_color(glint_convexity, _e119, metal::float4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e128 = look.key;
+    Angle _e131 = parametrization_specular_balanced(_e128, surface.normal, surface.view);
+    float _e133 = profile_balanced_3_(_e131, gold_warp, gold_tone_shape);
+    Light _e136 = look.key;
+    LitLayer _e137 = light_apply(_e136, _e125, _e133);
+    Composite _e148 = blend_finish(violet_blend, violet_blend.xyz + (_e137.tone * _e137.color.xyz), 1.0, _e137.color.w, true);
+    metal::float4 _e151 = look.green_sheen_color_convex;
+    Color _e157 = curvature_color(glint_convexity, _e151, metal::float4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = ((2.0 * glint_convexity) - 1.0) * 0.1;
-    float _e153 = profile_balanced_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
-    Light _e156 = look.key;
-    LitLayer _e157 = light_apply(_e156, _e145, _e153);
-    Composite _e168 = blend_finish(_e136, _e136.xyz + (_e157.tone * _e157.color.xyz), 1.0, _e157.color.w, true);
-    Color _e176 = curvature_color(glint_convexity, metal::float4(1.0), metal::float4(0.8471, 1.0, 0.8784, 1.0));
+    float _e165 = profile_balanced_3_(_e131, green_sheen_warp, green_sheen_tone_shape);
+    Light _e168 = look.key;
+    LitLayer _e169 = light_apply(_e168, _e157, _e165);
+    Composite _e180 = blend_finish(_e148, _e148.xyz + (_e169.tone * _e169.color.xyz), 1.0, _e169.color.w, true);
+    Color _e188 = curvature_color(glint_convexity, metal::float4(1.0), metal::float4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = ((2.0 * glint_convexity) - 1.0) * 0.05;
-    float _e184 = profile_balanced_3_(_e119, glint_warp, glint_tone_shape);
-    Light _e187 = look.key;
-    LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
-    metal::float4 glint_blend = metal::clamp(metal::float4(_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e206 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float hollows_convexity = 0.5 + (0.5 * _e206);
-    metal::float4 _e213 = look.hollows_color_concave;
-    metal::float4 _e218 = look.hollows_color_concave;
-    metal::float4 hollows_color = _e213 + (hollows_convexity * (metal::float4(1.0) - _e218));
-    Light _e224 = look.key;
-    LitLayer _e226 = light_apply_3_(_e224, hollows_color, 1.0);
-    Composite _e237 = blend_finish(glint_blend, glint_blend.xyz * (_e226.tone * _e226.color.xyz), 1.0, _e226.color.w, true);
-    return _e237;
+    float _e196 = profile_balanced_3_(_e131, glint_warp, glint_tone_shape);
+    Light _e199 = look.key;
+    LitLayer _e200 = light_apply_2_(_e199, _e188, _e196);
+    metal::float4 glint_blend = metal::clamp(metal::float4(_e180.xyz + (_e200.tone * (_e200.color.xyz - _e180.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float hollows_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))))));
+    metal::float4 _e237 = look.hollows_color_concave;
+    metal::float4 _e242 = look.hollows_color_concave;
+    metal::float4 hollows_color = _e237 + (hollows_convexity * (metal::float4(1.0) - _e242));
+    Light _e248 = look.key;
+    LitLayer _e250 = light_apply_3_(_e248, hollows_color, 1.0);
+    Composite _e261 = blend_finish(glint_blend, glint_blend.xyz * (_e250.tone * _e250.color.xyz), 1.0, _e250.color.w, true);
+    return _e261;
 }
 
 struct vs_mainInput {
@@ -436,16 +426,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -470,16 +455,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

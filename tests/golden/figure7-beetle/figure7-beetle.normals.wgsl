@@ -27,29 +27,6 @@ struct Surface {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> object: Object;
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -96,23 +73,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
-    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);
+    let toward = normalize(view.eye.xyz - view.eye.w * in.position);
     let is_behind = !is_front && dot(facing, toward) < -0.1;
     let normal = select(facing, -facing, is_behind);
-    var surface: Surface;
-    surface.normal = normal;
-    let shaded = shade(surface);
-    let seen = (view.camera_from_world * vec4f(shaded, 0.0)).xyz;
+    let surface = Surface(normal);
+    let seen = (view.camera_from_world * vec4f(shade(surface), 0.0)).xyz;
     let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;
     return surface_texel(seen, depth, object.id + 1.0);
 }

@@ -124,12 +124,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool)
@@ -238,8 +232,7 @@ fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -342,40 +335,54 @@ const glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let glint_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let wing_case_color = look.wing_case_color_concave + glint_convexity * (look.wing_case_color_convex - look.wing_case_color_concave);
-    let hollows_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let glint_convexity = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    let wing_case_color = look.wing_case_color_concave + glint_convexity
+        * (look.wing_case_color_convex - look.wing_case_color_concave);
+    let hollows_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let wing_case_warp = (2.0 * glint_convexity - 1.0) * 0.2;
     let wing_case_tone = profile_balanced(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
     let wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
-    let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
-    let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0), vec4f(0.1098, 0.0627, 0.251, 1.0));
+    let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color,
+        wing_case_lit.tone, 1.0, true);
+    let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0),
+        vec4f(0.1098, 0.0627, 0.251, 1.0));
     let violet_angle = parametrization_specular_balanced(look.side, surface.normal, surface.view);
     let gold_warp = (2.0 * glint_convexity - 1.0) * 0.15;
     let violet_tone = profile_balanced_2(violet_angle, gold_warp, violet_tone_shape);
     let violet_lit = light_apply_2(look.side, violet_color, violet_tone);
-    let violet_blend = clamp(vec4f(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let gold_color = curvature_color(glint_convexity, look.gold_color_convex, vec4f(0.2902, 0.3529, 0.0627, 1.0));
+    let violet_blend = clamp(vec4f(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz,
+        1.0), vec4f(0.0), vec4f(1.0));
+    let gold_color = curvature_color(glint_convexity, look.gold_color_convex,
+        vec4f(0.2902, 0.3529, 0.0627, 1.0));
     let glint_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let gold_tone = profile_balanced_3(glint_angle, gold_warp, gold_tone_shape);
     let gold_lit = light_apply(look.key, gold_color, gold_tone);
-    let gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
-    let green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, vec4f(0.1647, 0.5412, 0.3529, 1.0));
+    let gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone
+        * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
+    let green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex,
+        vec4f(0.1647, 0.5412, 0.3529, 1.0));
     let green_sheen_warp = (2.0 * glint_convexity - 1.0) * 0.1;
-    let green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
+    let green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp,
+        green_sheen_tone_shape);
     let green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
-    let green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
+    let green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone
+        * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
     let glint_color = curvature_color(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
     let glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     let glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
     let glint_lit = light_apply_2(look.key, glint_color, glint_tone);
-    let glint_blend = clamp(vec4f(green_sheen_blend.xyz + glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
-    let hollows_color = look.hollows_color_concave + hollows_convexity * (vec4f(1.0) - look.hollows_color_concave);
+    let glint_blend = clamp(vec4f(green_sheen_blend.xyz + glint_lit.tone
+        * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    let hollows_color = look.hollows_color_concave + hollows_convexity
+        * (vec4f(1.0) - look.hollows_color_concave);
     let hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
-    let hollows_blend = blend_finish(glint_blend, glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
-    let output = hollows_blend;
-    return output;
+    let hollows_blend = blend_finish(glint_blend, glint_blend.xyz
+        * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+    return hollows_blend;
 }
 
 struct Vertex {
@@ -392,21 +399,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -34,7 +34,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape tone_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u);
 const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u);
@@ -51,18 +50,14 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.position = world.xyz;
-    mat3x3 _e19 = u_object.world_from_normal;
-    out_.normal = (_e19 * vertex.normal);
-    Varyings _e22 = out_;
-    gl_Position = _e22.clip;
-    v_position = _e22.position;
-    v_normal = _e22.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e15 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, (_e15 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_normal = _tmp_return.normal;
     return;
 }
 

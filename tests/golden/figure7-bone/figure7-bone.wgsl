@@ -66,7 +66,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -82,14 +81,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -128,12 +119,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
     return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
@@ -141,14 +126,14 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -158,15 +143,6 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -209,8 +185,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -280,31 +255,40 @@ const edge_tone_shape = ProfileShape(0.8525245, 0.52268726, 5.0334897, 2.4651666
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let tone_color = curvature_color(light_convexity, vec4f(0.9373, 0.9137, 0.8627, 1.0), vec4f(0.7216, 0.6706, 0.5882, 1.0));
-    let tone_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let light_convexity = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    let tone_color = curvature_color(light_convexity, vec4f(0.9373, 0.9137, 0.8627, 1.0),
+        vec4f(0.7216, 0.6706, 0.5882, 1.0));
+    let tone_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let tone_warp = (2.0 * light_convexity - 1.0) * 0.3;
     let tone_tone = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
     let tone_lit = light_apply(look.key, tone_color, tone_tone);
-    let tone_blend = blend_alpha(vec4f(0.7255, 0.698, 0.6431, 1.0), tone_lit.color, tone_lit.tone, 1.0, true);
-    let shade_color = curvature_color(light_convexity, vec4f(0.8118, 0.7765, 0.7137, 1.0), vec4f(0.5608, 0.5098, 0.4392, 1.0));
-    let shade_angle = Angle(0.5 * length(surface.normal - look.side.direction), 0.5 * length(surface.normal + look.side.direction));
+    let tone_blend = blend_alpha(vec4f(0.7255, 0.698, 0.6431, 1.0), tone_lit.color, tone_lit.tone,
+        1.0, true);
+    let shade_color = curvature_color(light_convexity, vec4f(0.8118, 0.7765, 0.7137, 1.0),
+        vec4f(0.5608, 0.5098, 0.4392, 1.0));
+    let shade_angle = Angle(0.5 * length(surface.normal - look.side.direction), 0.5
+        * length(surface.normal + look.side.direction));
     let shade_warp = (2.0 * light_convexity - 1.0) * -0.2;
     let shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     let shade_lit = light_apply(look.side, shade_color, shade_tone);
     let shade_blend = blend_shade(tone_blend, shade_lit.color, shade_lit.tone, 0.8, true);
     let light_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
-    let light_lit = light_apply_2(look.key, vec4f(1.0), light_tone);
+    let light_lit = light_apply(look.key, vec4f(1.0), light_tone);
     let light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6, true);
-    let edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    let edge_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.1);
+    let edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    let edge_convexity = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.1, -20.0, 20.0))));
     let edge_warp = (2.0 * edge_convexity - 1.0) * 0.2;
     let edge_tone = profile_balanced_3(edge_angle, edge_warp, edge_tone_shape);
-    let edge_lit = light_apply_2(look.eye, vec4f(1.0), edge_tone);
-    let edge_blend = clamp(vec4f(light_blend.xyz + 0.55 * (light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz) - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = edge_blend;
-    return output;
+    let edge_lit = light_apply(look.eye, vec4f(1.0), edge_tone);
+    let edge_blend = clamp(vec4f(light_blend.xyz + 0.55
+        * (light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz) - light_blend.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
+    return edge_blend;
 }
 
 struct Vertex {
@@ -321,21 +305,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -50,7 +50,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);
@@ -92,37 +91,32 @@ vec3 normalize_seen_balanced(vec3 v_1) {
 }
 
 vec2 sin_cos_quick(float x_1) {
-    float y_1 = (x_1 * x_1);
-    float s_3 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return vec2(s_3, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float y = (x_1 * x_1);
+    float s_2 = (x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return vec2(s_2, c);
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_4, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    float s_4 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_1));
-    vec2 turned = (((s_4 <= 0.0) && (s_4 < c_1)) ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
+    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
 Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_5 = (u_2.half_sin - 0.0);
-    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, u_2.half_cos));
-    vec2 turned_1 = (((s_5 <= 0.0) && (s_5 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
+    float s_4 = (u_2.half_sin - 0.0);
+    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_2.half_cos));
+    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
     return Angle(turned_1.x, turned_1.y);
 }
 
@@ -135,8 +129,8 @@ float bounded(float x_2) {
 
 float eased(float x_3, float low, float high) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_3 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_3 = clamp(_e7, 0.0, 1.0);
     return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
@@ -160,10 +154,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
     float _e4 = length_of(along_x.xyz);
     float _e6 = length_of(along_y.xyz);
@@ -171,18 +161,18 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
     if (((largest_3 < 1e-18) || (largest_3 > 1e18))) {
         return normal;
     }
-    vec3 s_6 = (along_x.xyz / vec3(largest_3));
+    vec3 s_5 = (along_x.xyz / vec3(largest_3));
     vec3 t_4 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
     vec3 right = cross(t_4, normal);
-    vec3 up = cross(normal, s_6);
-    float area = dot(s_6, right);
+    vec3 up = cross(normal, s_5);
+    float area = dot(s_5, right);
     if ((abs(area) < 1e-6)) {
         return normal;
     }
-    vec3 slope_1 = (((rise.x * right) + (rise.y * up)) / vec3(area));
-    float steepness = length(slope_1);
-    vec3 limited = (slope_1 * (min(steepness, 10.0) / max(steepness, 1e-20)));
+    vec3 slope = (((rise.x * right) + (rise.y * up)) / vec3(area));
+    float steepness = length(slope);
+    vec3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
     vec3 _e50 = normalize_or((normal - limited), normal);
     return _e50;
 }
@@ -216,106 +206,73 @@ LitLayer light_apply(Light light, vec4 color_3, float tone_3) {
     return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_4, float tone_4) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4((light_1.color * split_1.y), 1.0), (tone_4 * split_1.x));
-}
-
-Angle parametrization_specular_balanced(Light light_2, vec3 normal_2, vec3 view) {
+Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
     vec3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    return Angle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+    return Angle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2((shape.exponent * _e8)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_1) {
-    float q_1 = (s_1 * shape_1.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_1.exponent * _e8), -126.0)), 1.0)));
+float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
+    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_2) {
-    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
-}
-
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_3) {
-    vec2 place = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_3);
-    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
+float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2) {
+    vec2 place = vec2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
         return _e19;
     }
     float r = (0.19364917 * w_1);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
+    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
+    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
     return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_4) {
-    vec2 place_1 = vec2(((u_4.half_sin * shape_4.half_cos_offset) - (u_4.half_cos * shape_4.half_sin_offset)), ((u_4.half_cos * shape_4.half_cos_offset) + (u_4.half_sin * shape_4.half_sin_offset)));
-    float _e19 = profile_soft_quick_2_(place_1.x, shape_4);
-    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
-        return _e19;
+float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3) {
+    vec2 place_1 = vec2(((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset)), ((u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset)));
+    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    if ((false || is_narrow)) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
+        return _e30;
     }
     float r_1 = (0.19364917 * w_2);
     vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e45 = profile_soft_quick_2_(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
-    float _e53 = profile_soft_quick_2_(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
-}
-
-float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_5) {
-    vec2 place_2 = vec2(((u_5.half_sin * shape_5.half_cos_offset) - (u_5.half_cos * shape_5.half_sin_offset)), ((u_5.half_cos * shape_5.half_cos_offset) + (u_5.half_sin * shape_5.half_sin_offset)));
-    bool is_narrow = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_5.edge_deviation)));
-    if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_2.x, w_3, shape_5);
-        return _e28;
-    }
-    float _e30 = profile_soft_quick_2_(place_2.x, shape_5);
-    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
-        return _e30;
-    }
-    float r_2 = (0.19364917 * w_3);
-    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e56 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
-    float _e64 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
+    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
+    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_6) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     vec2 _e5 = sin_cos_quick((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
-    Angle _e6 = angle_turned(angle_1, _e5);
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
     return _e8;
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
+float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
     Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_8);
-    return _e8;
-}
-
-float profile_balanced_4_(Angle angle_3, float shift_3, ProfileShape shape_9) {
-    Angle _e6 = angle_turned_2_(angle_3, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_9);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
     return _e8;
 }
 
@@ -404,7 +361,7 @@ float perlin_noise(vec3 p, uint seed_2) {
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_4) {
+float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_3) {
     float octave = 0.0;
     int i_1 = 0;
     float frequency = 1.0;
@@ -414,8 +371,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = (_e67 + 1);
+            int _e66 = i_1;
+            i_1 = (_e66 + 1);
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -423,15 +380,15 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            vec3 place_3 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_2 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place_3, (0u + uint(_e47)));
+            float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -442,12 +399,12 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4) {
@@ -457,60 +414,52 @@ float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughnes
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.1);
-    float shade_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(shade_convexity, vec4(0.9725, 0.8784, 0.2902, 1.0), vec4(0.8627, 0.7059, 0.1176, 1.0));
-    vec3 place_4 = surface_1.position_object;
-    float _e24 = noise_perlin(place_4, 14.0, 2, 0.5, 0);
-    vec3 _e28 = bump_map(_e24, 0.035, surface_1.normal, surface_1.position);
-    vec3 _e32 = u_look.key.direction;
-    vec3 _e40 = u_look.key.direction;
-    Angle flesh_angle = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
+vec4 shade(Surface surface) {
+    float shade_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(shade_convexity, vec4(0.9725, 0.8784, 0.2902, 1.0), vec4(0.8627, 0.7059, 0.1176, 1.0));
+    float _e36 = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
+    vec3 _e40 = bump_map(_e36, 0.035, surface.normal, surface.position);
+    vec3 _e44 = u_look.key.direction;
+    vec3 _e52 = u_look.key.direction;
+    Angle flesh_angle = Angle((0.5 * length((_e40 - _e44))), (0.5 * length((_e40 + _e52))));
     float flesh_warp = (((2.0 * shade_convexity) - 1.0) * 0.2);
-    float _e53 = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
-    Light _e56 = u_look.key;
-    LitLayer _e57 = light_apply(_e56, _e18, _e53);
-    vec4 _e67 = blend_alpha(vec4(0.4196, 0.3529, 0.0235, 1.0), _e57.color, _e57.tone, 1.0, true);
-    vec4 _e78 = curvature_color(shade_convexity, vec4(0.6902, 0.549, 0.0784, 1.0), vec4(0.5608, 0.4235, 0.0627, 1.0));
-    vec3 _e82 = u_look.fill.direction;
-    vec3 _e90 = u_look.fill.direction;
-    Angle shade_angle = Angle((0.5 * length((_e28 - _e82))), (0.5 * length((_e28 + _e90))));
+    float _e65 = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
+    Light _e68 = u_look.key;
+    LitLayer _e69 = light_apply(_e68, _e30, _e65);
+    vec4 _e79 = blend_alpha(vec4(0.4196, 0.3529, 0.0235, 1.0), _e69.color, _e69.tone, 1.0, true);
+    vec4 _e90 = curvature_color(shade_convexity, vec4(0.6902, 0.549, 0.0784, 1.0), vec4(0.5608, 0.4235, 0.0627, 1.0));
+    vec3 _e94 = u_look.fill.direction;
+    vec3 _e102 = u_look.fill.direction;
+    Angle shade_angle = Angle((0.5 * length((_e40 - _e94))), (0.5 * length((_e40 + _e102))));
     float shade_warp = (((2.0 * shade_convexity) - 1.0) * 0.1);
-    float _e103 = profile_balanced_2_(shade_angle, shade_warp, shade_tone_shape);
-    Light _e106 = u_look.fill;
-    LitLayer _e107 = light_apply(_e106, _e78, _e103);
-    vec4 _e112 = blend_shade(_e67, _e107.color, _e107.tone, 0.75, true);
-    Light _e115 = u_look.key;
-    Angle _e117 = parametrization_specular_balanced(_e115, _e28, surface_1.view);
-    float _e120 = profile_balanced_3_(_e117, 0.0, waxy_sheen_tone_shape);
-    Light _e123 = u_look.key;
-    LitLayer _e129 = light_apply(_e123, vec4(0.4157, 0.3922, 0.1882, 1.0), _e120);
-    vec4 waxy_sheen_blend = clamp(vec4((_e112.xyz + (0.55 * ((_e112.xyz + (_e129.tone * _e129.color.xyz)) - _e112.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e151 = profile_balanced_4_(_e117, 0.0, glint_tone_shape);
-    Light _e154 = u_look.key;
-    LitLayer _e157 = light_apply_2_(_e154, vec4(1.0), _e151);
-    vec4 _e162 = blend_alpha_2_(waxy_sheen_blend, _e157.color, _e157.tone, 0.85, true);
-    return _e162;
+    float _e115 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    Light _e118 = u_look.fill;
+    LitLayer _e119 = light_apply(_e118, _e90, _e115);
+    vec4 _e124 = blend_shade(_e79, _e119.color, _e119.tone, 0.75, true);
+    Light _e127 = u_look.key;
+    Angle _e129 = parametrization_specular_balanced(_e127, _e40, surface.view);
+    float _e132 = profile_balanced_2_(_e129, 0.0, waxy_sheen_tone_shape);
+    Light _e135 = u_look.key;
+    LitLayer _e141 = light_apply(_e135, vec4(0.4157, 0.3922, 0.1882, 1.0), _e132);
+    vec4 waxy_sheen_blend = clamp(vec4((_e124.xyz + (0.55 * ((_e124.xyz + (_e141.tone * _e141.color.xyz)) - _e124.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e163 = profile_balanced_3_(_e129, 0.0, glint_tone_shape);
+    Light _e166 = u_look.key;
+    LitLayer _e169 = light_apply(_e166, vec4(1.0), _e163);
+    vec4 _e174 = blend_alpha_2_(waxy_sheen_blend, _e169.color, _e169.tone, 0.85, true);
+    return _e174;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position = in_.position;
-    surface.position_object = in_.position_object;
-    vec4 _e31 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e31.x;
-    Surface _e33 = surface;
-    vec4 _e34 = shade(_e33);
-    out_color = _e34;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e25 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object, _e25.x);
+    vec4 _e28 = shade(surface_1);
+    out_color = _e28;
     return;
 }
 

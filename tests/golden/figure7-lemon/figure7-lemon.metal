@@ -70,7 +70,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 constant ProfileShape flesh_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u};
@@ -110,17 +109,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x_1
 ) {
-    float y_1 = x_1 * x_1;
-    float s_3 = x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
-    return metal::float2(s_3, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float y = x_1 * x_1;
+    float s_2 = x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    return metal::float2(s_2, c);
 }
 
 float angle_footprint(
@@ -129,18 +121,18 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w_4 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_4, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    float s_4 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c_1);
-    metal::float2 turned = ((s_4 <= 0.0) & (s_4 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
@@ -148,9 +140,9 @@ Angle angle_turned_2_(
     Angle u_2,
     metal::float2 t_1
 ) {
-    float s_5 = u_2.half_sin - 0.0;
-    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, u_2.half_cos);
-    metal::float2 turned_1 = ((s_5 <= 0.0) & (s_5 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
+    float s_4 = u_2.half_sin - 0.0;
+    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, u_2.half_cos);
+    metal::float2 turned_1 = ((s_4 <= 0.0) & (s_4 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
     return Angle {turned_1.x, turned_1.y};
 }
 
@@ -169,8 +161,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_3 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_3 = metal::clamp(_e7, 0.0, 1.0);
     return (t_3 * t_3) * (3.0 - (2.0 * t_3));
 }
 
@@ -202,13 +194,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 metal::float3 bumped_normal(
     metal::float4 along_x,
     metal::float4 along_y,
@@ -220,18 +205,18 @@ metal::float3 bumped_normal(
     if ((largest_3 < 0.000000000000000001) | (largest_3 > 1000000000000000000.0)) {
         return normal;
     }
-    metal::float3 s_6 = along_x.xyz / metal::float3(largest_3);
+    metal::float3 s_5 = along_x.xyz / metal::float3(largest_3);
     metal::float3 t_4 = along_y.xyz / metal::float3(largest_3);
     metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
     metal::float3 right = metal::cross(t_4, normal);
-    metal::float3 up = metal::cross(normal, s_6);
-    float area = metal::dot(s_6, right);
+    metal::float3 up = metal::cross(normal, s_5);
+    float area = metal::dot(s_5, right);
     if (metal::abs(area) < 0.000001) {
         return normal;
     }
-    metal::float3 slope_1 = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
-    float steepness = metal::length(slope_1);
-    metal::float3 limited = slope_1 * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
+    metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
+    float steepness = metal::length(slope);
+    metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
     metal::float3 _e50 = normalize_or(normal - limited, normal);
     return _e50;
 }
@@ -292,22 +277,13 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_3 * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_4,
-    float tone_4
-) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4(light_1.color * split_1.y, 1.0), tone_4 * split_1.x};
-}
-
 Angle parametrization_specular_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal_2,
     metal::float3 view
 ) {
     metal::float3 d_1 = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
-    return Angle {0.5 * metal::length(d_1 - light_2.direction), 0.5 * metal::length(d_1 + light_2.direction)};
+    return Angle {0.5 * metal::length(d_1 - light_1.direction), 0.5 * metal::length(d_1 + light_1.direction)};
 }
 
 float profile_soft_quick(
@@ -315,129 +291,90 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(shape.exponent * _e8), 1.0));
-}
-
-float profile_soft_quick_2_(
-    float s_1,
-    ProfileShape shape_1
-) {
-    float q_1 = s_1 * shape_1.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_1.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
-    float s_2,
+    float s_1,
     float w,
-    ProfileShape shape_2
+    ProfileShape shape_1
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_2.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
+    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
 float profile_filtered_quick(
     Angle u_3,
     float w_1,
-    ProfileShape shape_3
+    ProfileShape shape_2
 ) {
-    metal::float2 place = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_3);
-    if (w_1 < (0.1 * shape_3.edge_deviation)) {
+    metal::float2 place = metal::float2((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset), (u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset));
+    float _e19 = profile_soft_quick(place.x, shape_2);
+    if (w_1 < (0.1 * shape_2.edge_deviation)) {
         return _e19;
     }
     float r = 0.19364917 * w_1;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
+    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
+    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
     return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
 }
 
 float profile_filtered_quick_2_(
     Angle u_4,
     float w_2,
-    ProfileShape shape_4
+    ProfileShape shape_3
 ) {
-    metal::float2 place_1 = metal::float2((u_4.half_sin * shape_4.half_cos_offset) - (u_4.half_cos * shape_4.half_sin_offset), (u_4.half_cos * shape_4.half_cos_offset) + (u_4.half_sin * shape_4.half_sin_offset));
-    float _e19 = profile_soft_quick_2_(place_1.x, shape_4);
-    if (w_2 < (0.1 * shape_4.edge_deviation)) {
-        return _e19;
+    metal::float2 place_1 = metal::float2((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset), (u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset));
+    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    if (false | is_narrow) {
+        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
+        return _e28;
+    }
+    float _e30 = profile_soft_quick(place_1.x, shape_3);
+    if (w_2 < (0.1 * shape_3.edge_deviation)) {
+        return _e30;
     }
     float r_1 = 0.19364917 * w_2;
     metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e45 = profile_soft_quick_2_((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_4);
-    float _e53 = profile_soft_quick_2_((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_4);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
-}
-
-float profile_filtered_quick_3_(
-    Angle u_5,
-    float w_3,
-    ProfileShape shape_5
-) {
-    metal::float2 place_2 = metal::float2((u_5.half_sin * shape_5.half_cos_offset) - (u_5.half_cos * shape_5.half_sin_offset), (u_5.half_cos * shape_5.half_cos_offset) + (u_5.half_sin * shape_5.half_sin_offset));
-    bool is_narrow = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_5.edge_deviation));
-    if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_2.x, w_3, shape_5);
-        return _e28;
-    }
-    float _e30 = profile_soft_quick_2_(place_2.x, shape_5);
-    if (w_3 < (0.1 * shape_5.edge_deviation)) {
-        return _e30;
-    }
-    float r_2 = 0.19364917 * w_3;
-    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e56 = profile_soft_quick_2_((place_2.x * turn_2.y) - (place_2.y * turn_2.x), shape_5);
-    float _e64 = profile_soft_quick_2_((place_2.x * turn_2.y) + (place_2.y * turn_2.x), shape_5);
+    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
+    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
     return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_6
+    ProfileShape shape_4
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
 float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_7
+    ProfileShape shape_5
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
-    Angle _e6 = angle_turned(angle_1, _e5);
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
     return _e8;
 }
 
 float profile_balanced_3_(
     Angle angle_2,
     float shift_2,
-    ProfileShape shape_8
+    ProfileShape shape_6
 ) {
     Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_8);
-    return _e8;
-}
-
-float profile_balanced_4_(
-    Angle angle_3,
-    float shift_3,
-    ProfileShape shape_9
-) {
-    Angle _e6 = angle_turned_2_(angle_3, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_9);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
     return _e8;
 }
 
@@ -556,7 +493,7 @@ float fractal_noise(
     int octaves,
     float roughness,
     int seed_3,
-    float w_4
+    float w_3
 ) {
     float octave = {};
     int i_1 = 0;
@@ -570,8 +507,8 @@ float fractal_noise(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -579,15 +516,15 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
+        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
         float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
             int _e33 = i_1;
-            metal::float3 place_3 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place_2 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place_3, 0u + static_cast<uint>(_e47));
+            float _e50 = perlin_noise(place_2, 0u + static_cast<uint>(_e47));
             octave = metal::mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -598,12 +535,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_1;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_1;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float noise_perlin(
@@ -620,43 +557,41 @@ float noise_perlin(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.1);
-    float shade_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(shade_convexity, metal::float4(0.9725, 0.8784, 0.2902, 1.0), metal::float4(0.8627, 0.7059, 0.1176, 1.0));
-    metal::float3 place_4 = surface_1.position_object;
-    float _e24 = noise_perlin(place_4, 14.0, 2, 0.5, 0);
-    metal::float3 _e28 = bump_map(_e24, 0.035, surface_1.normal, surface_1.position);
-    metal::float3 _e32 = look.key.direction;
-    metal::float3 _e40 = look.key.direction;
-    Angle flesh_angle = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
+    float shade_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.1, -20.0, 20.0))))));
+    Color _e30 = curvature_color(shade_convexity, metal::float4(0.9725, 0.8784, 0.2902, 1.0), metal::float4(0.8627, 0.7059, 0.1176, 1.0));
+    float _e36 = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
+    metal::float3 _e40 = bump_map(_e36, 0.035, surface.normal, surface.position);
+    metal::float3 _e44 = look.key.direction;
+    metal::float3 _e52 = look.key.direction;
+    Angle flesh_angle = Angle {0.5 * metal::length(_e40 - _e44), 0.5 * metal::length(_e40 + _e52)};
     float flesh_warp = ((2.0 * shade_convexity) - 1.0) * 0.2;
-    float _e53 = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
-    Light _e56 = look.key;
-    LitLayer _e57 = light_apply(_e56, _e18, _e53);
-    Composite _e67 = blend_alpha(metal::float4(0.4196, 0.3529, 0.0235, 1.0), _e57.color, _e57.tone, 1.0, true);
-    Color _e78 = curvature_color(shade_convexity, metal::float4(0.6902, 0.549, 0.0784, 1.0), metal::float4(0.5608, 0.4235, 0.0627, 1.0));
-    metal::float3 _e82 = look.fill.direction;
-    metal::float3 _e90 = look.fill.direction;
-    Angle shade_angle = Angle {0.5 * metal::length(_e28 - _e82), 0.5 * metal::length(_e28 + _e90)};
+    float _e65 = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
+    Light _e68 = look.key;
+    LitLayer _e69 = light_apply(_e68, _e30, _e65);
+    Composite _e79 = blend_alpha(metal::float4(0.4196, 0.3529, 0.0235, 1.0), _e69.color, _e69.tone, 1.0, true);
+    Color _e90 = curvature_color(shade_convexity, metal::float4(0.6902, 0.549, 0.0784, 1.0), metal::float4(0.5608, 0.4235, 0.0627, 1.0));
+    metal::float3 _e94 = look.fill.direction;
+    metal::float3 _e102 = look.fill.direction;
+    Angle shade_angle = Angle {0.5 * metal::length(_e40 - _e94), 0.5 * metal::length(_e40 + _e102)};
     float shade_warp = ((2.0 * shade_convexity) - 1.0) * 0.1;
-    float _e103 = profile_balanced_2_(shade_angle, shade_warp, shade_tone_shape);
-    Light _e106 = look.fill;
-    LitLayer _e107 = light_apply(_e106, _e78, _e103);
-    Composite _e112 = blend_shade(_e67, _e107.color, _e107.tone, 0.75, true);
-    Light _e115 = look.key;
-    Angle _e117 = parametrization_specular_balanced(_e115, _e28, surface_1.view);
-    float _e120 = profile_balanced_3_(_e117, 0.0, waxy_sheen_tone_shape);
-    Light _e123 = look.key;
-    LitLayer _e129 = light_apply(_e123, metal::float4(0.4157, 0.3922, 0.1882, 1.0), _e120);
-    metal::float4 waxy_sheen_blend = metal::clamp(metal::float4(_e112.xyz + (0.55 * ((_e112.xyz + (_e129.tone * _e129.color.xyz)) - _e112.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e151 = profile_balanced_4_(_e117, 0.0, glint_tone_shape);
-    Light _e154 = look.key;
-    LitLayer _e157 = light_apply_2_(_e154, metal::float4(1.0), _e151);
-    Composite _e162 = blend_alpha_2_(waxy_sheen_blend, _e157.color, _e157.tone, 0.85, true);
-    return _e162;
+    float _e115 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    Light _e118 = look.fill;
+    LitLayer _e119 = light_apply(_e118, _e90, _e115);
+    Composite _e124 = blend_shade(_e79, _e119.color, _e119.tone, 0.75, true);
+    Light _e127 = look.key;
+    Angle _e129 = parametrization_specular_balanced(_e127, _e40, surface.view);
+    float _e132 = profile_balanced_2_(_e129, 0.0, waxy_sheen_tone_shape);
+    Light _e135 = look.key;
+    LitLayer _e141 = light_apply(_e135, metal::float4(0.4157, 0.3922, 0.1882, 1.0), _e132);
+    metal::float4 waxy_sheen_blend = metal::clamp(metal::float4(_e124.xyz + (0.55 * ((_e124.xyz + (_e141.tone * _e141.color.xyz)) - _e124.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e163 = profile_balanced_3_(_e129, 0.0, glint_tone_shape);
+    Light _e166 = look.key;
+    LitLayer _e169 = light_apply(_e166, metal::float4(1.0), _e163);
+    Composite _e174 = blend_alpha_2_(waxy_sheen_blend, _e169.color, _e169.tone, 0.85, true);
+    return _e174;
 }
 
 struct vs_mainInput {
@@ -675,17 +610,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -711,18 +640,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    metal::float4 _e31 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e31.x;
-    Surface _e33 = surface;
-    metal::float4 _e34 = shade(_e33, look);
-    return fs_mainOutput { _e34 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e25 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position, in.position_object, _e25.x};
+    metal::float4 _e28 = shade(surface_1, look);
+    return fs_mainOutput { _e28 };
 }

@@ -66,7 +66,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -105,14 +104,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -157,7 +148,7 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -183,12 +174,6 @@ fn footprint_of_vec3(v: vec3f) -> f32 {
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -233,14 +218,14 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + 0.75 * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + 0.75
+        * (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -250,15 +235,6 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -295,15 +271,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
-        >= 1.0), 1.0, s <= 0.0);
-}
-
-/// alpha of a soft profile where the half-sine from tau is s.
-fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
-    let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -336,34 +304,18 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    let point = profile_soft_quick_2(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
-}
-
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
-        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
     if false | is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
-    let point = profile_soft_quick_2(place.x, shape);
+    let point = profile_soft_quick(place.x, shape);
     if w < 0.1 * shape.edge_deviation {
         return point;
     }
     let r = 0.193649167310370844 * w;
     let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -373,18 +325,13 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 }
 
 fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
-}
-
-fn profile_balanced_4(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
-    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 const NOISE_PERLIN: u32 = 1u;
@@ -461,7 +408,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -482,31 +429,37 @@ const glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.21659
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let shade_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.1);
-    let flesh_color = curvature_color(shade_convexity, vec4f(0.9725, 0.8784, 0.2902, 1.0), vec4f(0.8627, 0.7059, 0.1176, 1.0));
-    let place = surface.position_object;
-    let pores = noise_perlin(place, 14.0, 2i, 0.5, 0i);
+    let shade_convexity = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.1, -20.0, 20.0))));
+    let flesh_color = curvature_color(shade_convexity, vec4f(0.9725, 0.8784, 0.2902, 1.0),
+        vec4f(0.8627, 0.7059, 0.1176, 1.0));
+    let pores = noise_perlin(surface.position_object, 14.0, 2i, 0.5, 0i);
     let rind = bump_map(pores, 0.035, surface.normal, surface.position);
-    let flesh_angle = Angle(0.5 * length(rind - look.key.direction), 0.5 * length(rind + look.key.direction));
+    let flesh_angle = Angle(0.5 * length(rind - look.key.direction), 0.5
+        * length(rind + look.key.direction));
     let flesh_warp = (2.0 * shade_convexity - 1.0) * 0.2;
     let flesh_tone = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
     let flesh_lit = light_apply(look.key, flesh_color, flesh_tone);
-    let flesh_blend = blend_alpha(vec4f(0.4196, 0.3529, 0.0235, 1.0), flesh_lit.color, flesh_lit.tone, 1.0, true);
-    let shade_color = curvature_color(shade_convexity, vec4f(0.6902, 0.549, 0.0784, 1.0), vec4f(0.5608, 0.4235, 0.0627, 1.0));
-    let shade_angle = Angle(0.5 * length(rind - look.fill.direction), 0.5 * length(rind + look.fill.direction));
+    let flesh_blend = blend_alpha(vec4f(0.4196, 0.3529, 0.0235, 1.0), flesh_lit.color,
+        flesh_lit.tone, 1.0, true);
+    let shade_color = curvature_color(shade_convexity, vec4f(0.6902, 0.549, 0.0784, 1.0),
+        vec4f(0.5608, 0.4235, 0.0627, 1.0));
+    let shade_angle = Angle(0.5 * length(rind - look.fill.direction), 0.5
+        * length(rind + look.fill.direction));
     let shade_warp = (2.0 * shade_convexity - 1.0) * 0.1;
-    let shade_tone = profile_balanced_2(shade_angle, shade_warp, shade_tone_shape);
+    let shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     let shade_lit = light_apply(look.fill, shade_color, shade_tone);
     let shade_blend = blend_shade(flesh_blend, shade_lit.color, shade_lit.tone, 0.75, true);
     let glint_angle = parametrization_specular_balanced(look.key, rind, surface.view);
-    let waxy_sheen_tone = profile_balanced_3(glint_angle, 0.0, waxy_sheen_tone_shape);
+    let waxy_sheen_tone = profile_balanced_2(glint_angle, 0.0, waxy_sheen_tone_shape);
     let waxy_sheen_lit = light_apply(look.key, vec4f(0.4157, 0.3922, 0.1882, 1.0), waxy_sheen_tone);
-    let waxy_sheen_blend = clamp(vec4f(shade_blend.xyz + 0.55 * (shade_blend.xyz + waxy_sheen_lit.tone * waxy_sheen_lit.color.xyz - shade_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let glint_tone = profile_balanced_4(glint_angle, 0.0, glint_tone_shape);
-    let glint_lit = light_apply_2(look.key, vec4f(1.0), glint_tone);
+    let waxy_sheen_blend = clamp(vec4f(shade_blend.xyz + 0.55
+        * (shade_blend.xyz + waxy_sheen_lit.tone * waxy_sheen_lit.color.xyz - shade_blend.xyz),
+        1.0), vec4f(0.0), vec4f(1.0));
+    let glint_tone = profile_balanced_3(glint_angle, 0.0, glint_tone_shape);
+    let glint_lit = light_apply(look.key, vec4f(1.0), glint_tone);
     let glint_blend = blend_alpha_2(waxy_sheen_blend, glint_lit.color, glint_lit.tone, 0.85, true);
-    let output = glint_blend;
-    return output;
+    return glint_blend;
 }
 
 struct Vertex {
@@ -524,24 +477,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position), in.position,
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

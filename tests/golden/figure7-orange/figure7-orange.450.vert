@@ -35,7 +35,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);
@@ -55,20 +54,15 @@ layout(location = 2) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    mat3x3 _e21 = u_object.world_from_normal;
-    out_.normal = (_e21 * vertex.normal);
-    Varyings _e24 = out_;
-    gl_Position = _e24.clip;
-    v_position = _e24.position;
-    v_position_object = _e24.position_object;
-    v_normal = _e24.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e16 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, vertex.position, (_e16 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_position_object = _tmp_return.position_object;
+    v_normal = _tmp_return.normal;
     return;
 }
 

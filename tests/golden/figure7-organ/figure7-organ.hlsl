@@ -92,7 +92,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape tone_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u);
 static const ProfileShape shade_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u);
 static const ProfileShape light_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u);
@@ -123,16 +122,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -175,11 +168,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
     return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -209,32 +197,24 @@ LitLayer light_apply(Light light, float4 color_3, float tone_3)
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_4, float tone_4)
-{
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4((light_1.color * split_1.y), 1.0), (tone_4 * split_1.x));
-    return litlayer_1;
-}
-
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_5 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    const Angle angle_5 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
     return angle_5;
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_3, float3 normal_1, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light_2, float3 normal_1, float3x3 camera_from_world)
 {
     float3 d_1 = mul(normal_1, camera_from_world);
-    const Angle angle_6 = ConstructAngle((0.5 * length((d_1 - light_3.own_direction))), (0.5 * length((d_1 + light_3.own_direction))));
+    const Angle angle_6 = ConstructAngle((0.5 * length((d_1 - light_2.own_direction))), (0.5 * length((d_1 + light_2.own_direction))));
     return angle_6;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -304,62 +284,70 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float light_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(light_convexity, float4(0.3529, 0.5882, 0.7843, 1.0), float4(0.1412, 0.3137, 0.4784, 1.0));
-    float3 _e23 = look.key.direction;
-    float3 _e32 = look.key.direction;
-    Angle tone_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+    float light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(light_convexity, float4(0.3529, 0.5882, 0.7843, 1.0), float4(0.1412, 0.3137, 0.4784, 1.0));
+    float3 _e35 = look.key.direction;
+    float3 _e44 = look.key.direction;
+    Angle tone_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float tone_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    const float _e45 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
-    Light _e48 = look.key;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    const float4 _e59 = blend_alpha(float4(0.102, 0.2275, 0.3529, 1.0), _e49.color, _e49.tone, 1.0, true);
-    const float4 _e70 = curvature_color(light_convexity, float4(0.2275, 0.4157, 0.6039, 1.0), float4(0.0863, 0.1882, 0.2902, 1.0));
-    float3 _e75 = look.side.direction;
-    float3 _e84 = look.side.direction;
-    Angle shade_angle = ConstructAngle((0.5 * length((surface_1.normal - _e75))), (0.5 * length((surface_1.normal + _e84))));
+    const float _e57 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
+    Light _e60 = look.key;
+    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    const float4 _e71 = blend_alpha(float4(0.102, 0.2275, 0.3529, 1.0), _e61.color, _e61.tone, 1.0, true);
+    const float4 _e82 = curvature_color(light_convexity, float4(0.2275, 0.4157, 0.6039, 1.0), float4(0.0863, 0.1882, 0.2902, 1.0));
+    float3 _e87 = look.side.direction;
+    float3 _e96 = look.side.direction;
+    Angle shade_angle = ConstructAngle((0.5 * length((surface.normal - _e87))), (0.5 * length((surface.normal + _e96))));
     float shade_warp = (((2.0 * light_convexity) - 1.0) * -0.2);
-    const float _e97 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e100 = look.side;
-    const LitLayer _e101 = light_apply(_e100, _e70, _e97);
-    const float4 _e106 = blend_shade(_e59, _e101.color, _e101.tone, 0.8, true);
-    Light _e109 = look.key;
-    const Angle _e112 = parametrization_specular_balanced(_e109, surface_1.normal, surface_1.view);
-    const float _e115 = profile_balanced_2_(_e112, 0.0, light_tone_shape);
-    Light _e118 = look.key;
-    const LitLayer _e124 = light_apply(_e118, float4(0.8784, 0.9569, 1.0, 1.0), _e115);
-    const float4 _e129 = blend_alpha_2_(_e106, _e124.color, _e124.tone, 0.6, true);
-    Light _e132 = look.eye;
-    float3x3 _e136 = look.camera_from_world;
-    const Angle _e137 = parametrization_screen_aligned_balanced(_e132, surface_1.normal, _e136);
-    const float _e140 = curvature_signed_balanced(surface_1.kappa, 0.1);
-    float edge_convexity = (0.5 + (0.5 * _e140));
+    const float _e109 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    Light _e112 = look.side;
+    const LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    const float4 _e118 = blend_shade(_e71, _e113.color, _e113.tone, 0.8, true);
+    Light _e121 = look.key;
+    const Angle _e124 = parametrization_specular_balanced(_e121, surface.normal, surface.view);
+    const float _e127 = profile_balanced_2_(_e124, 0.0, light_tone_shape);
+    Light _e130 = look.key;
+    const LitLayer _e136 = light_apply(_e130, float4(0.8784, 0.9569, 1.0, 1.0), _e127);
+    const float4 _e141 = blend_alpha_2_(_e118, _e136.color, _e136.tone, 0.6, true);
+    Light _e144 = look.eye;
+    float3x3 _e148 = look.camera_from_world;
+    const Angle _e149 = parametrization_screen_aligned_balanced(_e144, surface.normal, _e148);
+    float edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
     float edge_warp = (((2.0 * edge_convexity) - 1.0) * 0.2);
-    const float _e152 = profile_balanced_3_(_e137, edge_warp, edge_tone_shape);
-    Light _e155 = look.eye;
-    const LitLayer _e158 = light_apply_2_(_e155, (1.0).xxxx, _e152);
-    float4 output = clamp(float4((_e129.xyz + (0.55 * ((_e129.xyz * (_e158.tone * _e158.color.xyz)) - _e129.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e176 = profile_balanced_3_(_e149, edge_warp, edge_tone_shape);
+    Light _e179 = look.eye;
+    const LitLayer _e182 = light_apply(_e179, (1.0).xxxx, _e176);
+    float4 edge_blend = clamp(float4((_e141.xyz + (0.55 * ((_e141.xyz * (_e182.tone * _e182.color.xyz)) - _e141.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return edge_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -370,17 +358,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

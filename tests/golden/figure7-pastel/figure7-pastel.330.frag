@@ -72,27 +72,13 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec4 finite_vec4_(vec4 v) {
-    uvec4 exponent_1 = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_1), exponent_1));
-}
-
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
-}
-
-vec2 sin_cos_quick(float x_2) {
-    float y_1 = (x_2 * x_2);
-    float s_4 = (x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+vec2 sin_cos_quick(float x) {
+    float y_1 = (x * x);
+    float s_4 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
     float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
     return vec2(s_4, c);
 }
@@ -107,21 +93,12 @@ float angle_footprint(Angle u) {
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
     float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_5, 0.5);
-    return min(_e13, 0.5);
+    return min(w_5, 0.5);
 }
 
-float angle_footprint_2_(Angle u_1) {
-    vec2 half_1 = vec2(u_1.half_sin, u_1.half_cos);
-    vec2 dx_1 = dFdx(half_1);
-    vec2 dy_1 = dFdy(half_1);
-    float w_6 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
-    return min(w_6, 0.5);
-}
-
-Angle angle_turned(Angle u_2, vec2 t) {
-    float s_5 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
-    float c_1 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+Angle angle_turned(Angle u_1, vec2 t) {
+    float s_5 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
     vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
     vec2 turned = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
@@ -131,8 +108,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+float transition_balanced(float kappa, float slope) {
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
@@ -144,8 +121,7 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
 }
 
 vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    float alpha_1 = (below_1.w + ((tone * opacity_1) * (1.0 - below_1.w)));
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), alpha_1), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_shade(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
@@ -154,16 +130,15 @@ vec4 blend_shade(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool
 
 LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_3, float tone_3) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light_1.color) * split_1.y), 1.0), (tone_3 * split_1.x));
+Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
+    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
 }
 
-Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+Angle parametrization_specular_balanced(Light light_2, vec3 normal_1, vec3 view) {
+    vec3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
     return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
 }
 
@@ -174,8 +149,8 @@ float profile_power_quick(float q, float exponent) {
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-vec2 profile_place(Angle u_3, ProfileShape shape) {
-    return vec2(((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset)), ((u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset)));
+vec2 profile_place(Angle u_2, ProfileShape shape) {
+    return vec2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
 }
 
 float profile_soft_quick(float s, ProfileShape shape_1) {
@@ -185,8 +160,7 @@ float profile_soft_quick(float s, ProfileShape shape_1) {
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
     float q_1 = (s_1 * shape_2.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
@@ -203,11 +177,11 @@ float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4) {
     return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_5) {
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5) {
     if ((shape_5.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    vec2 _e7 = profile_place(u_4, shape_5);
+    vec2 _e7 = profile_place(u_3, shape_5);
     bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_5.edge_deviation)));
     if (((shape_5.kind == PROFILE_STEP) || is_narrow)) {
         float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
@@ -224,8 +198,8 @@ float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_5) {
     return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_5, float w_3, ProfileShape shape_6) {
-    vec2 place = vec2(((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset)), ((u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset)));
+float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6) {
+    vec2 place = vec2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
     bool is_narrow_1 = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_6.edge_deviation)));
     if ((false || is_narrow_1)) {
         float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
@@ -242,8 +216,8 @@ float profile_filtered_quick_2_(Angle u_5, float w_3, ProfileShape shape_6) {
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_6, float w_4, ProfileShape shape_7) {
-    vec2 place_1 = vec2(((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset)), ((u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset)));
+float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_7) {
+    vec2 place_1 = vec2(((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset)), ((u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset)));
     float _e19 = profile_soft_quick_2_(place_1.x, shape_7);
     if ((w_4 < (0.1 * shape_7.edge_deviation))) {
         return _e19;
@@ -266,7 +240,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_8) {
 float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9) {
     vec2 _e5 = sin_cos_quick((0.5 * shift_1));
     Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint_2_(_e6);
+    float _e7 = angle_footprint(_e6);
     float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
     return _e8;
 }
@@ -274,85 +248,72 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9) {
 float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10) {
     vec2 _e5 = sin_cos_quick((0.5 * shift_2));
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint_2_(_e6);
+    float _e7 = angle_footprint(_e6);
     float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.14);
-    float light_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(light_convexity, vec4(0.9647, 0.9059, 0.8157, 1.0), vec4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e21 = u_look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_shade(vec4(0.9137, 0.8627, 0.7765, 1.0), _e23.color, _e23.tone, 0.9, true);
-    vec4 _e44 = curvature_color(light_convexity, vec4(0.7686, 0.4157, 0.2824, 1.0), vec4(0.4863, 0.1765, 0.1216, 1.0));
-    vec3 _e49 = u_look.cool.direction;
-    vec3 _e58 = u_look.cool.direction;
-    Angle shade_angle = Angle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
-    float _e70 = u_look.shade_warp_amount;
-    float shade_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e70, -3.1415927, 3.1415927));
-    ProfileShape _e77 = u_look.shade_tone_shape;
-    float _e78 = profile_balanced(shade_angle, shade_warp, _e77);
-    Light _e81 = u_look.cool;
-    LitLayer _e82 = light_apply_2_(_e81, _e44, _e78);
-    float _e94 = u_look.shade_blend_opacity;
-    vec4 _e96 = blend_finish(_e33, (_e33.xyz * mix(vec3(1.0), _e82.color.xyz, _e82.tone)), 1.0, _e94, true);
-    vec4 _e107 = curvature_color(light_convexity, vec4(1.0, 0.9725, 0.9176, 1.0), vec4(0.9098, 0.7059, 0.5686, 1.0));
-    vec3 _e112 = u_look.key.direction;
-    vec3 _e121 = u_look.key.direction;
-    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e112))), (0.5 * length((surface_1.normal + _e121))));
-    float _e133 = u_look.light_warp_amount;
-    float light_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e133, -3.1415927, 3.1415927));
-    ProfileShape _e140 = u_look.light_tone_shape;
-    float _e141 = profile_balanced(light_angle, light_warp, _e140);
-    Light _e144 = u_look.key;
-    LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
-    float _e157 = u_look.light_blend_opacity;
-    float _e165 = u_look.light_blend_opacity;
-    vec4 _e167 = blend_finish(_e96, (_e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz))), (1.0 + ((_e145.tone * _e157) * 0.0)), _e165, true);
-    float _e170 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float white_chalk_convexity = (0.5 + (0.5 * _e170));
-    vec4 _e182 = curvature_color(white_chalk_convexity, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e185 = u_look.key;
-    Angle _e188 = parametrization_specular_balanced(_e185, surface_1.normal, surface_1.view);
-    float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
-    float _e196 = profile_balanced_2_(_e188, white_chalk_warp, white_chalk_tone_shape);
-    Light _e199 = u_look.key;
-    LitLayer _e200 = light_apply_2_(_e199, _e182, _e196);
-    vec4 _e205 = blend_alpha(_e167, _e200.color, _e200.tone, 0.85, true);
-    float _e208 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float reddish_rim_convexity = (0.5 + (0.5 * _e208));
-    vec4 _e223 = curvature_color(reddish_rim_convexity, vec4(0.7059, 0.3294, 0.2275, 1.0), vec4(0.4784, 0.1647, 0.1098, 1.0));
-    vec3 _e228 = u_look.back.direction;
-    vec3 _e237 = u_look.back.direction;
-    Angle reddish_rim_angle = Angle((0.5 * length((surface_1.normal - _e228))), (0.5 * length((surface_1.normal + _e237))));
-    float reddish_rim_warp = (((2.0 * reddish_rim_convexity) - 1.0) * 0.1);
-    float _e250 = profile_balanced_3_(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
-    Light _e253 = u_look.back;
-    LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
-    float _e266 = u_look.reddish_rim_blend_opacity;
-    vec4 _e268 = blend_finish(_e205, (_e205.xyz * mix(vec3(1.0), _e254.color.xyz, _e254.tone)), _e205.w, _e266, true);
-    vec4 _e279 = finite_vec4_(((_e268.w <= 0.0) ? _e268 : vec4((_e268.xyz / vec3(_e268.w)), _e268.w)));
-    return _e279;
+vec4 shade(Surface surface) {
+    float _e3 = transition_balanced(surface.kappa, 0.14);
+    vec4 _e14 = curvature_color(_e3, vec4(0.9647, 0.9059, 0.8157, 1.0), vec4(0.6118, 0.2902, 0.1961, 1.0));
+    Light _e17 = u_look.key;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    vec4 _e29 = blend_shade(vec4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
+    vec4 _e40 = curvature_color(_e3, vec4(0.7686, 0.4157, 0.2824, 1.0), vec4(0.4863, 0.1765, 0.1216, 1.0));
+    Light _e43 = u_look.cool;
+    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float _e52 = u_look.shade_warp_amount;
+    float shade_warp = (((2.0 * _e3) - 1.0) * clamp(_e52, -3.1415927, 3.1415927));
+    ProfileShape _e59 = u_look.shade_tone_shape;
+    float _e60 = profile_balanced(_e45, shade_warp, _e59);
+    Light _e63 = u_look.cool;
+    LitLayer _e64 = light_apply(_e63, _e40, _e60);
+    float _e76 = u_look.shade_blend_opacity;
+    vec4 _e78 = blend_finish(_e29, (_e29.xyz * mix(vec3(1.0), _e64.color.xyz, _e64.tone)), 1.0, _e76, true);
+    vec4 _e89 = curvature_color(_e3, vec4(1.0, 0.9725, 0.9176, 1.0), vec4(0.9098, 0.7059, 0.5686, 1.0));
+    Light _e92 = u_look.key;
+    Angle _e94 = parametrization_diffuse_balanced(_e92, surface.normal);
+    float _e101 = u_look.light_warp_amount;
+    float light_warp = (((2.0 * _e3) - 1.0) * clamp(_e101, -3.1415927, 3.1415927));
+    ProfileShape _e108 = u_look.light_tone_shape;
+    float _e109 = profile_balanced(_e94, light_warp, _e108);
+    Light _e112 = u_look.key;
+    LitLayer _e113 = light_apply(_e112, _e89, _e109);
+    float _e125 = u_look.light_blend_opacity;
+    vec4 _e127 = blend_finish(_e78, (_e78.xyz + (_e113.tone * (_e113.color.xyz - _e78.xyz))), 1.0, _e125, true);
+    float _e130 = transition_balanced(surface.kappa, 0.3);
+    vec4 _e138 = curvature_color(_e130, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e141 = u_look.key;
+    Angle _e144 = parametrization_specular_balanced(_e141, surface.normal, surface.view);
+    float white_chalk_warp = (((2.0 * _e130) - 1.0) * 0.3);
+    float _e152 = profile_balanced_2_(_e144, white_chalk_warp, white_chalk_tone_shape);
+    Light _e155 = u_look.key;
+    LitLayer _e156 = light_apply(_e155, _e138, _e152);
+    vec4 _e161 = blend_alpha(_e127, _e156.color, _e156.tone, 0.85, true);
+    float _e164 = transition_balanced(surface.kappa, 0.2);
+    vec4 _e175 = curvature_color(_e164, vec4(0.7059, 0.3294, 0.2275, 1.0), vec4(0.4784, 0.1647, 0.1098, 1.0));
+    Light _e178 = u_look.back;
+    Angle _e180 = parametrization_diffuse_balanced(_e178, surface.normal);
+    float reddish_rim_warp = (((2.0 * _e164) - 1.0) * 0.1);
+    float _e188 = profile_balanced_3_(_e180, reddish_rim_warp, reddish_rim_tone_shape);
+    Light _e191 = u_look.back;
+    LitLayer _e192 = light_apply(_e191, _e175, _e188);
+    float _e204 = u_look.reddish_rim_blend_opacity;
+    vec4 _e206 = blend_finish(_e161, (_e161.xyz * mix(vec3(1.0), _e192.color.xyz, _e192.tone)), 1.0, _e204, true);
+    return _e206;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    vec4 _e31 = finite_vec4_(_e30);
-    out_color = _e31;
+    vec3 normal_2 = (is_front ? _e3 : -(_e3));
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

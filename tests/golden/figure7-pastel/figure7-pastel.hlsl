@@ -118,43 +118,26 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_1 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float3 normalize_seen_balanced(float3 v)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float finite_or(float x_1, float otherwise)
+float2 sin_cos_quick(float x)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float4 finite_vec4_(float4 v)
-{
-    uint4 exponent_1 = (2139095040u).xxxx;
-    return (((asuint(v) & exponent_1) != exponent_1) ? v : (0.0).xxxx);
-}
-
-float3 normalize_seen_balanced(float3 v_1)
-{
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
-}
-
-float2 sin_cos_quick(float x_2)
-{
-    float y_1 = (x_2 * x_2);
-    float s_4 = (x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float y_1 = (x * x);
+    float s_4 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
     float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
     return float2(s_4, c);
 }
@@ -171,17 +154,7 @@ float angle_footprint(Angle u)
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
     float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_5, 0.5);
-    return min(_e13, 0.5);
-}
-
-float angle_footprint_2_(Angle u_1)
-{
-    float2 half_1 = float2(u_1.half_sin, u_1.half_cos);
-    float2 dx_1 = ddx(half_1);
-    float2 dy_1 = ddy(half_1);
-    float w_6 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
-    return min(w_6, 0.5);
+    return min(w_5, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -191,10 +164,10 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_2, float2 t)
+Angle angle_turned(Angle u_1, float2 t)
 {
-    float s_5 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
-    float c_1 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+    float s_5 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
     float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_5, c_1));
     float2 turned = (((s_5 <= 0.0) & (s_5 < c_1)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
@@ -206,9 +179,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
@@ -222,8 +195,7 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
 
 float4 blend_alpha(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
 {
-    float alpha_1 = (below_1.w + ((tone * opacity_1) * (1.0 - below_1.w)));
-    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), alpha_1), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_shade(float4 below_2, float4 color_1, float tone_1, float opacity_2, bool clamped_2)
@@ -241,22 +213,21 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color_2, float tone_2)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_3, float tone_3)
+Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
 {
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_3.xyz * light_1.color) * split_1.y), 1.0), (tone_3 * split_1.x));
-    return litlayer_1;
+    const Angle angle_4 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+    return angle_4;
 }
 
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light_2, float3 normal_1, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
-    return angle_4;
+    float3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
+    const Angle angle_5 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    return angle_5;
 }
 
 float profile_power_quick(float q, float exponent)
@@ -267,9 +238,9 @@ float profile_power_quick(float q, float exponent)
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float2 profile_place(Angle u_3, ProfileShape shape)
+float2 profile_place(Angle u_2, ProfileShape shape)
 {
-    return float2(((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset)), ((u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset)));
+    return float2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
 }
 
 float profile_soft_quick(float s, ProfileShape shape_1)
@@ -281,8 +252,7 @@ float profile_soft_quick(float s, ProfileShape shape_1)
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
 {
     float q_1 = (s_1 * shape_2.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3)
@@ -301,12 +271,12 @@ float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4)
     return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
 }
 
-float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_5)
+float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5)
 {
     if ((shape_5.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    const float2 _e7 = profile_place(u_4, shape_5);
+    const float2 _e7 = profile_place(u_3, shape_5);
     bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation)));
     if (((shape_5.kind == PROFILE_STEP) | is_narrow)) {
         const float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
@@ -323,9 +293,9 @@ float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_5)
     return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_5, float w_3, ProfileShape shape_6)
+float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6)
 {
-    float2 place = float2(((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset)), ((u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset)));
+    float2 place = float2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
     bool is_narrow_1 = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation)));
     if ((false | is_narrow_1)) {
         const float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
@@ -342,9 +312,9 @@ float profile_filtered_quick_2_(Angle u_5, float w_3, ProfileShape shape_6)
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_6, float w_4, ProfileShape shape_7)
+float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_7)
 {
-    float2 place_1 = float2(((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset)), ((u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset)));
+    float2 place_1 = float2(((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset)), ((u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset)));
     const float _e19 = profile_soft_quick_2_(place_1.x, shape_7);
     if ((w_4 < (0.1 * shape_7.edge_deviation))) {
         return _e19;
@@ -369,7 +339,7 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9)
 {
     const float2 _e5 = sin_cos_quick((0.5 * shift_1));
     const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e7 = angle_footprint_2_(_e6);
+    const float _e7 = angle_footprint(_e6);
     const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
     return _e8;
 }
@@ -378,85 +348,87 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10)
 {
     const float2 _e5 = sin_cos_quick((0.5 * shift_2));
     const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint_2_(_e6);
+    const float _e7 = angle_footprint(_e6);
     const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.14);
-    float light_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(light_convexity, float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e21 = look.key;
-    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    const float4 _e33 = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), _e23.color, _e23.tone, 0.9, true);
-    const float4 _e44 = curvature_color(light_convexity, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
-    float3 _e49 = look.cool.direction;
-    float3 _e58 = look.cool.direction;
-    Angle shade_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
-    float _e70 = look.shade_warp_amount;
-    float shade_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e70, -3.1415927, 3.1415927));
-    ProfileShape _e77 = look.shade_tone_shape;
-    const float _e78 = profile_balanced(shade_angle, shade_warp, _e77);
-    Light _e81 = look.cool;
-    const LitLayer _e82 = light_apply_2_(_e81, _e44, _e78);
-    float _e94 = look.shade_blend_opacity;
-    const float4 _e96 = blend_finish(_e33, (_e33.xyz * lerp((1.0).xxx, _e82.color.xyz, _e82.tone)), 1.0, _e94, true);
-    const float4 _e107 = curvature_color(light_convexity, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
-    float3 _e112 = look.key.direction;
-    float3 _e121 = look.key.direction;
-    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e112))), (0.5 * length((surface_1.normal + _e121))));
-    float _e133 = look.light_warp_amount;
-    float light_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e133, -3.1415927, 3.1415927));
-    ProfileShape _e140 = look.light_tone_shape;
-    const float _e141 = profile_balanced(light_angle, light_warp, _e140);
-    Light _e144 = look.key;
-    const LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
-    float _e157 = look.light_blend_opacity;
-    float _e165 = look.light_blend_opacity;
-    const float4 _e167 = blend_finish(_e96, (_e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz))), (1.0 + ((_e145.tone * _e157) * 0.0)), _e165, true);
-    const float _e170 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float white_chalk_convexity = (0.5 + (0.5 * _e170));
-    const float4 _e182 = curvature_color(white_chalk_convexity, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e185 = look.key;
-    const Angle _e188 = parametrization_specular_balanced(_e185, surface_1.normal, surface_1.view);
-    float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
-    const float _e196 = profile_balanced_2_(_e188, white_chalk_warp, white_chalk_tone_shape);
-    Light _e199 = look.key;
-    const LitLayer _e200 = light_apply_2_(_e199, _e182, _e196);
-    const float4 _e205 = blend_alpha(_e167, _e200.color, _e200.tone, 0.85, true);
-    const float _e208 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float reddish_rim_convexity = (0.5 + (0.5 * _e208));
-    const float4 _e223 = curvature_color(reddish_rim_convexity, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
-    float3 _e228 = look.back.direction;
-    float3 _e237 = look.back.direction;
-    Angle reddish_rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e228))), (0.5 * length((surface_1.normal + _e237))));
-    float reddish_rim_warp = (((2.0 * reddish_rim_convexity) - 1.0) * 0.1);
-    const float _e250 = profile_balanced_3_(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
-    Light _e253 = look.back;
-    const LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
-    float _e266 = look.reddish_rim_blend_opacity;
-    const float4 _e268 = blend_finish(_e205, (_e205.xyz * lerp((1.0).xxx, _e254.color.xyz, _e254.tone)), _e205.w, _e266, true);
-    const float4 _e279 = finite_vec4_(((_e268.w <= 0.0) ? _e268 : float4((_e268.xyz / (_e268.w).xxx), _e268.w)));
-    return _e279;
+    const float _e3 = transition_balanced(surface.kappa, 0.14);
+    const float4 _e14 = curvature_color(_e3, float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
+    Light _e17 = look.key;
+    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    const float4 _e29 = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
+    const float4 _e40 = curvature_color(_e3, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
+    Light _e43 = look.cool;
+    const Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float _e52 = look.shade_warp_amount;
+    float shade_warp = (((2.0 * _e3) - 1.0) * clamp(_e52, -3.1415927, 3.1415927));
+    ProfileShape _e59 = look.shade_tone_shape;
+    const float _e60 = profile_balanced(_e45, shade_warp, _e59);
+    Light _e63 = look.cool;
+    const LitLayer _e64 = light_apply(_e63, _e40, _e60);
+    float _e76 = look.shade_blend_opacity;
+    const float4 _e78 = blend_finish(_e29, (_e29.xyz * lerp((1.0).xxx, _e64.color.xyz, _e64.tone)), 1.0, _e76, true);
+    const float4 _e89 = curvature_color(_e3, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
+    Light _e92 = look.key;
+    const Angle _e94 = parametrization_diffuse_balanced(_e92, surface.normal);
+    float _e101 = look.light_warp_amount;
+    float light_warp = (((2.0 * _e3) - 1.0) * clamp(_e101, -3.1415927, 3.1415927));
+    ProfileShape _e108 = look.light_tone_shape;
+    const float _e109 = profile_balanced(_e94, light_warp, _e108);
+    Light _e112 = look.key;
+    const LitLayer _e113 = light_apply(_e112, _e89, _e109);
+    float _e125 = look.light_blend_opacity;
+    const float4 _e127 = blend_finish(_e78, (_e78.xyz + (_e113.tone * (_e113.color.xyz - _e78.xyz))), 1.0, _e125, true);
+    const float _e130 = transition_balanced(surface.kappa, 0.3);
+    const float4 _e138 = curvature_color(_e130, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e141 = look.key;
+    const Angle _e144 = parametrization_specular_balanced(_e141, surface.normal, surface.view);
+    float white_chalk_warp = (((2.0 * _e130) - 1.0) * 0.3);
+    const float _e152 = profile_balanced_2_(_e144, white_chalk_warp, white_chalk_tone_shape);
+    Light _e155 = look.key;
+    const LitLayer _e156 = light_apply(_e155, _e138, _e152);
+    const float4 _e161 = blend_alpha(_e127, _e156.color, _e156.tone, 0.85, true);
+    const float _e164 = transition_balanced(surface.kappa, 0.2);
+    const float4 _e175 = curvature_color(_e164, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
+    Light _e178 = look.back;
+    const Angle _e180 = parametrization_diffuse_balanced(_e178, surface.normal);
+    float reddish_rim_warp = (((2.0 * _e164) - 1.0) * 0.1);
+    const float _e188 = profile_balanced_3_(_e180, reddish_rim_warp, reddish_rim_tone_shape);
+    Light _e191 = look.back;
+    const LitLayer _e192 = light_apply(_e191, _e175, _e188);
+    float _e204 = look.reddish_rim_blend_opacity;
+    const float4 _e206 = blend_finish(_e161, (_e161.xyz * lerp((1.0).xxx, _e192.color.xyz, _e192.tone)), 1.0, _e204, true);
+    return _e206;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -465,20 +437,14 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    const float4 _e31 = finite_vec4_(_e30);
-    return _e31;
+    float3 normal_4 = (is_front ? _e3 : -(_e3));
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

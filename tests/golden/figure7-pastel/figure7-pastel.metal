@@ -85,38 +85,17 @@ constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
 constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v
-) {
-    metal::uint4 exponent_1 = metal::uint4(2139095040u);
-    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent_1) != exponent_1);
-}
-
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 metal::float2 sin_cos_quick(
-    float x_2
+    float x
 ) {
-    float y_1 = x_2 * x_2;
-    float s_4 = x_2 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float y_1 = x * x;
+    float s_4 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
     float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
     return metal::float2(s_4, c);
 }
@@ -135,26 +114,15 @@ float angle_footprint(
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
     float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_5, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-float angle_footprint_2_(
-    Angle u_1
-) {
-    metal::float2 half_1 = metal::float2(u_1.half_sin, u_1.half_cos);
-    metal::float2 dx_1 = metal::dfdx(half_1);
-    metal::float2 dy_1 = metal::dfdy(half_1);
-    float w_6 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
-    return metal::min(w_6, 0.5);
+    return metal::min(w_5, 0.5);
 }
 
 Angle angle_turned(
-    Angle u_2,
+    Angle u_1,
     metal::float2 t
 ) {
-    float s_5 = (u_2.half_sin * t.y) - (u_2.half_cos * t.x);
-    float c_1 = (u_2.half_cos * t.y) + (u_2.half_sin * t.x);
+    float s_5 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
     metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, c_1);
     metal::float2 turned = ((s_5 <= 0.0) & (s_5 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
@@ -168,11 +136,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
 Composite blend_finish(
@@ -196,8 +164,7 @@ Composite blend_alpha(
     float opacity_1,
     bool clamped_1
 ) {
-    float alpha_1 = below_1.w + ((tone * opacity_1) * (1.0 - below_1.w));
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz)), alpha_1), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_shade(
@@ -216,24 +183,22 @@ LitLayer light_apply(
     float tone_2
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
-LitLayer light_apply_2_(
+Angle parametrization_diffuse_balanced(
     Light light_1,
-    Color color_3,
-    float tone_3
+    metal::float3 normal
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light_1.color) * split_1.y, 1.0), tone_3 * split_1.x};
+    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
 }
 
 Angle parametrization_specular_balanced(
     Light light_2,
-    metal::float3 normal,
+    metal::float3 normal_1,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
     return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
 }
 
@@ -248,10 +213,10 @@ float profile_power_quick(
 }
 
 metal::float2 profile_place(
-    Angle u_3,
+    Angle u_2,
     ProfileShape shape
 ) {
-    return metal::float2((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset), (u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset));
+    return metal::float2((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset), (u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset));
 }
 
 float profile_soft_quick(
@@ -267,8 +232,7 @@ float profile_soft_quick_2_(
     ProfileShape shape_2
 ) {
     float q_1 = s_1 * shape_2.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
+    return (s_1 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_1 * q_1), 0.0), shape_2.exponent);
 }
 
 float profile_ramp_quick(
@@ -294,14 +258,14 @@ float profile_ramp_quick_2_(
 }
 
 float profile_filtered_quick(
-    Angle u_4,
+    Angle u_3,
     float w_2,
     ProfileShape shape_5
 ) {
     if (shape_5.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_4, shape_5);
+    metal::float2 _e7 = profile_place(u_3, shape_5);
     bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation));
     if ((shape_5.kind == PROFILE_STEP) | is_narrow) {
         float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
@@ -319,11 +283,11 @@ float profile_filtered_quick(
 }
 
 float profile_filtered_quick_2_(
-    Angle u_5,
+    Angle u_4,
     float w_3,
     ProfileShape shape_6
 ) {
-    metal::float2 place = metal::float2((u_5.half_sin * shape_6.half_cos_offset) - (u_5.half_cos * shape_6.half_sin_offset), (u_5.half_cos * shape_6.half_cos_offset) + (u_5.half_sin * shape_6.half_sin_offset));
+    metal::float2 place = metal::float2((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset), (u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset));
     bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation));
     if (false | is_narrow_1) {
         float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
@@ -341,11 +305,11 @@ float profile_filtered_quick_2_(
 }
 
 float profile_filtered_quick_3_(
-    Angle u_6,
+    Angle u_5,
     float w_4,
     ProfileShape shape_7
 ) {
-    metal::float2 place_1 = metal::float2((u_6.half_sin * shape_7.half_cos_offset) - (u_6.half_cos * shape_7.half_sin_offset), (u_6.half_cos * shape_7.half_cos_offset) + (u_6.half_sin * shape_7.half_sin_offset));
+    metal::float2 place_1 = metal::float2((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset), (u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset));
     float _e19 = profile_soft_quick_2_(place_1.x, shape_7);
     if (w_4 < (0.1 * shape_7.edge_deviation)) {
         return _e19;
@@ -376,7 +340,7 @@ float profile_balanced_2_(
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
     Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint_2_(_e6);
+    float _e7 = angle_footprint(_e6);
     float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
     return _e8;
 }
@@ -388,75 +352,67 @@ float profile_balanced_3_(
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint_2_(_e6);
+    float _e7 = angle_footprint(_e6);
     float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
     return _e8;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.14);
-    float light_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(light_convexity, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e21 = look.key;
-    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    Composite _e33 = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), _e23.color, _e23.tone, 0.9, true);
-    Color _e44 = curvature_color(light_convexity, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
-    metal::float3 _e49 = look.cool.direction;
-    metal::float3 _e58 = look.cool.direction;
-    Angle shade_angle = Angle {0.5 * metal::length(surface_1.normal - _e49), 0.5 * metal::length(surface_1.normal + _e58)};
-    float _e70 = look.shade_warp_amount;
-    float shade_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(_e70, -3.1415927, 3.1415927);
-    ProfileShape _e77 = look.shade_tone_shape;
-    float _e78 = profile_balanced(shade_angle, shade_warp, _e77);
-    Light _e81 = look.cool;
-    LitLayer _e82 = light_apply_2_(_e81, _e44, _e78);
-    float _e94 = look.shade_blend_opacity;
-    Composite _e96 = blend_finish(_e33, _e33.xyz * metal::mix(metal::float3(1.0), _e82.color.xyz, _e82.tone), 1.0, _e94, true);
-    Color _e107 = curvature_color(light_convexity, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
-    metal::float3 _e112 = look.key.direction;
-    metal::float3 _e121 = look.key.direction;
-    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e112), 0.5 * metal::length(surface_1.normal + _e121)};
-    float _e133 = look.light_warp_amount;
-    float light_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(_e133, -3.1415927, 3.1415927);
-    ProfileShape _e140 = look.light_tone_shape;
-    float _e141 = profile_balanced(light_angle, light_warp, _e140);
-    Light _e144 = look.key;
-    LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
-    float _e157 = look.light_blend_opacity;
-    float _e165 = look.light_blend_opacity;
-    Composite _e167 = blend_finish(_e96, _e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz)), 1.0 + ((_e145.tone * _e157) * 0.0), _e165, true);
-    float _e170 = curvature_signed_balanced(surface_1.kappa, 0.3);
-    float white_chalk_convexity = 0.5 + (0.5 * _e170);
-    Color _e182 = curvature_color(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e185 = look.key;
-    Angle _e188 = parametrization_specular_balanced(_e185, surface_1.normal, surface_1.view);
-    float white_chalk_warp = ((2.0 * white_chalk_convexity) - 1.0) * 0.3;
-    float _e196 = profile_balanced_2_(_e188, white_chalk_warp, white_chalk_tone_shape);
-    Light _e199 = look.key;
-    LitLayer _e200 = light_apply_2_(_e199, _e182, _e196);
-    Composite _e205 = blend_alpha(_e167, _e200.color, _e200.tone, 0.85, true);
-    float _e208 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float reddish_rim_convexity = 0.5 + (0.5 * _e208);
-    Color _e223 = curvature_color(reddish_rim_convexity, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
-    metal::float3 _e228 = look.back.direction;
-    metal::float3 _e237 = look.back.direction;
-    Angle reddish_rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e228), 0.5 * metal::length(surface_1.normal + _e237)};
-    float reddish_rim_warp = ((2.0 * reddish_rim_convexity) - 1.0) * 0.1;
-    float _e250 = profile_balanced_3_(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
-    Light _e253 = look.back;
-    LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
-    float _e266 = look.reddish_rim_blend_opacity;
-    Composite _e268 = blend_finish(_e205, _e205.xyz * metal::mix(metal::float3(1.0), _e254.color.xyz, _e254.tone), _e205.w, _e266, true);
-    metal::float4 _e279 = finite_vec4_((_e268.w <= 0.0) ? _e268 : metal::float4(_e268.xyz / metal::float3(_e268.w), _e268.w));
-    return _e279;
+    float _e3 = transition_balanced(surface.kappa, 0.14);
+    Color _e14 = curvature_color(_e3, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
+    Light _e17 = look.key;
+    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
+    Composite _e29 = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
+    Color _e40 = curvature_color(_e3, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
+    Light _e43 = look.cool;
+    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
+    float _e52 = look.shade_warp_amount;
+    float shade_warp = ((2.0 * _e3) - 1.0) * metal::clamp(_e52, -3.1415927, 3.1415927);
+    ProfileShape _e59 = look.shade_tone_shape;
+    float _e60 = profile_balanced(_e45, shade_warp, _e59);
+    Light _e63 = look.cool;
+    LitLayer _e64 = light_apply(_e63, _e40, _e60);
+    float _e76 = look.shade_blend_opacity;
+    Composite _e78 = blend_finish(_e29, _e29.xyz * metal::mix(metal::float3(1.0), _e64.color.xyz, _e64.tone), 1.0, _e76, true);
+    Color _e89 = curvature_color(_e3, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
+    Light _e92 = look.key;
+    Angle _e94 = parametrization_diffuse_balanced(_e92, surface.normal);
+    float _e101 = look.light_warp_amount;
+    float light_warp = ((2.0 * _e3) - 1.0) * metal::clamp(_e101, -3.1415927, 3.1415927);
+    ProfileShape _e108 = look.light_tone_shape;
+    float _e109 = profile_balanced(_e94, light_warp, _e108);
+    Light _e112 = look.key;
+    LitLayer _e113 = light_apply(_e112, _e89, _e109);
+    float _e125 = look.light_blend_opacity;
+    Composite _e127 = blend_finish(_e78, _e78.xyz + (_e113.tone * (_e113.color.xyz - _e78.xyz)), 1.0, _e125, true);
+    float _e130 = transition_balanced(surface.kappa, 0.3);
+    Color _e138 = curvature_color(_e130, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e141 = look.key;
+    Angle _e144 = parametrization_specular_balanced(_e141, surface.normal, surface.view);
+    float white_chalk_warp = ((2.0 * _e130) - 1.0) * 0.3;
+    float _e152 = profile_balanced_2_(_e144, white_chalk_warp, white_chalk_tone_shape);
+    Light _e155 = look.key;
+    LitLayer _e156 = light_apply(_e155, _e138, _e152);
+    Composite _e161 = blend_alpha(_e127, _e156.color, _e156.tone, 0.85, true);
+    float _e164 = transition_balanced(surface.kappa, 0.2);
+    Color _e175 = curvature_color(_e164, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
+    Light _e178 = look.back;
+    Angle _e180 = parametrization_diffuse_balanced(_e178, surface.normal);
+    float reddish_rim_warp = ((2.0 * _e164) - 1.0) * 0.1;
+    float _e188 = profile_balanced_3_(_e180, reddish_rim_warp, reddish_rim_tone_shape);
+    Light _e191 = look.back;
+    LitLayer _e192 = light_apply(_e191, _e175, _e188);
+    float _e204 = look.reddish_rim_blend_opacity;
+    Composite _e206 = blend_finish(_e161, _e161.xyz * metal::mix(metal::float3(1.0), _e192.color.xyz, _e192.tone), 1.0, _e204, true);
+    return _e206;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal_2 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -468,17 +424,12 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
+    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -489,7 +440,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_1 [[user(loc1), center_perspective]];
+    metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -502,18 +453,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    metal::float4 _e31 = finite_vec4_(_e30);
-    return fs_mainOutput { _e31 };
+    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -30,31 +30,13 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_or(vec3 v, vec3 otherwise) {
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return otherwise;
-    }
-    vec3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -67,36 +49,34 @@ vec4 surface_texel(vec3 normal_1, float depth, float number) {
     return vec4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
 }
 
-vec3 shade(Surface surface_1) {
-    return surface_1.normal;
+vec3 shade(Surface surface) {
+    return surface.normal;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     bool local = false;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec4 _e6 = u_view.eye;
     float _e11 = u_view.eye.w;
-    vec3 _e15 = normalize_or((_e6.xyz - (_e11 * in_.position)), _e3);
+    vec3 toward = normalize((_e6.xyz - (_e11 * in_.position)));
     if (!(is_front)) {
-        local = (dot(_e3, _e15) < -0.1);
+        local = (dot(_e3, toward) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
     vec3 normal_2 = (is_behind ? -(_e3) : _e3);
-    surface.normal = normal_2;
-    Surface _e28 = surface;
-    vec3 _e29 = shade(_e28);
-    mat4x4 _e32 = u_view.camera_from_world;
-    vec3 seen = (_e32 * vec4(_e29, 0.0)).xyz;
-    mat4x4 _e39 = u_view.camera_from_world;
-    float depth_1 = -((_e39 * vec4(in_.position, 1.0)).z);
-    float _e48 = u_object.id;
-    vec4 _e51 = surface_texel(seen, depth_1, (_e48 + 1.0));
-    out_color = _e51;
+    Surface surface_1 = Surface(normal_2);
+    mat4x4 _e29 = u_view.camera_from_world;
+    vec3 _e30 = shade(surface_1);
+    vec3 seen = (_e29 * vec4(_e30, 0.0)).xyz;
+    mat4x4 _e37 = u_view.camera_from_world;
+    float depth_1 = -((_e37 * vec4(in_.position, 1.0)).z);
+    float _e46 = u_object.id;
+    vec4 _e49 = surface_texel(seen, depth_1, (_e46 + 1.0));
+    out_color = _e49;
     return;
 }
 

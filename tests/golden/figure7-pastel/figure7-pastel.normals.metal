@@ -35,41 +35,18 @@ struct Varyings {
     metal::float3 normal;
 };
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-metal::float3 normalize_or(
+metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
 ) {
-    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
-        return otherwise;
-    }
-    metal::float3 scaled = v * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -89,9 +66,9 @@ metal::float4 surface_texel(
 }
 
 metal::float3 shade(
-    Surface surface_1
+    Surface surface
 ) {
-    return surface_1.normal;
+    return surface.normal;
 }
 
 struct vs_mainInput {
@@ -109,16 +86,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -139,26 +111,24 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     bool local = {};
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float4 _e6 = view.eye;
     float _e11 = view.eye.w;
-    metal::float3 _e15 = normalize_or(_e6.xyz - (_e11 * in.position), _e3);
+    metal::float3 toward = metal::normalize(_e6.xyz - (_e11 * in.position));
     if (!(is_front)) {
-        local = metal::dot(_e3, _e15) < -0.1;
+        local = metal::dot(_e3, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
     metal::float3 normal_2 = is_behind ? -(_e3) : _e3;
-    surface.normal = normal_2;
-    Surface _e28 = surface;
-    metal::float3 _e29 = shade(_e28);
-    metal::float4x4 _e32 = view.camera_from_world;
-    metal::float3 seen = (_e32 * metal::float4(_e29, 0.0)).xyz;
-    metal::float4x4 _e39 = view.camera_from_world;
-    float depth_1 = -((_e39 * metal::float4(in.position, 1.0)).z);
-    float _e48 = object.id;
-    metal::float4 _e51 = surface_texel(seen, depth_1, _e48 + 1.0);
-    return fs_mainOutput { _e51 };
+    Surface surface_1 = Surface {normal_2};
+    metal::float4x4 _e29 = view.camera_from_world;
+    metal::float3 _e30 = shade(surface_1);
+    metal::float3 seen = (_e29 * metal::float4(_e30, 0.0)).xyz;
+    metal::float4x4 _e37 = view.camera_from_world;
+    float depth_1 = -((_e37 * metal::float4(in.position, 1.0)).z);
+    float _e46 = object.id;
+    metal::float4 _e49 = surface_texel(seen, depth_1, _e46 + 1.0);
+    return fs_mainOutput { _e49 };
 }

@@ -74,23 +74,6 @@ struct Light {
 
 const PI: f32 = 3.14159265358979323846;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    let exponent = vec4u(0x7f800000u);
-    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
-}
-
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -123,17 +106,6 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
-}
-
-/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
-/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
-fn angle_footprint_2(u: Angle) -> f32 {
-    let half = vec2f(u.half_sin, u.half_cos);
-    let dx = dpdx(half);
-    let dy = dpdy(half);
-    let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -155,10 +127,9 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
@@ -174,15 +145,14 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    let alpha = below.w + tone * opacity * (1.0 - below.w);
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), alpha), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -190,15 +160,6 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
-}
-
-/// Light on a layer
-///
-/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
-/// brightens the color, so that a light that goes out leaves the layers below as they are.
-fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
@@ -208,6 +169,10 @@ struct LitLayer {
     color: Color,
     /// The tone under this light.
     tone: f32,
+}
+
+fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
@@ -260,8 +225,7 @@ fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -343,18 +307,18 @@ fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 }
 
 fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quick(0.5 * clamp(shift, -PI, PI)));
+    let warped = angle_turned(angle, sin_cos_quick(0.5 * clamp(shift, -3.141592653589793, PI)));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_2(warped, angle_footprint_2(warped), shape);
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_3(warped, angle_footprint_2(warped), shape);
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 const white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u);
@@ -362,38 +326,54 @@ const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let light_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.14);
-    let hollows_color = curvature_color(light_convexity, vec4f(0.9647, 0.9059, 0.8157, 1.0), vec4f(0.6118, 0.2902, 0.1961, 1.0));
+    let light_convexity = transition_balanced(surface.kappa, 0.14);
+    let hollows_color = curvature_color(light_convexity, vec4f(0.9647, 0.9059, 0.8157, 1.0),
+        vec4f(0.6118, 0.2902, 0.1961, 1.0));
     let hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
-    let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0), vec4f(0.4863, 0.1765, 0.1216, 1.0));
-    let shade_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5 * length(surface.normal + look.cool.direction));
-    let shade_warp = (2.0 * light_convexity - 1.0) * clamp(look.shade_warp_amount, -3.141592653589793, 3.14159265358979324);
+    let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color,
+        hollows_lit.tone, 0.9, true);
+    let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0),
+        vec4f(0.4863, 0.1765, 0.1216, 1.0));
+    let shade_angle = parametrization_diffuse_balanced(look.cool, surface.normal);
+    let shade_warp = (2.0 * light_convexity - 1.0)
+        * clamp(look.shade_warp_amount, -3.141592653589793, 3.14159265358979324);
     let shade_tone = profile_balanced(shade_angle, shade_warp, look.shade_tone_shape);
-    let shade_lit = light_apply_2(look.cool, shade_color, shade_tone);
-    let shade_blend = blend_finish(hollows_blend, hollows_blend.xyz * mix(vec3f(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity, true);
-    let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0), vec4f(0.9098, 0.7059, 0.5686, 1.0));
-    let light_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let light_warp = (2.0 * light_convexity - 1.0) * clamp(look.light_warp_amount, -3.141592653589793, 3.14159265358979324);
+    let shade_lit = light_apply(look.cool, shade_color, shade_tone);
+    let shade_blend = blend_finish(hollows_blend, hollows_blend.xyz
+        * mix(vec3f(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity,
+        true);
+    let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0),
+        vec4f(0.9098, 0.7059, 0.5686, 1.0));
+    let light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
+    let light_warp = (2.0 * light_convexity - 1.0)
+        * clamp(look.light_warp_amount, -3.141592653589793, 3.14159265358979324);
     let light_tone = profile_balanced(light_angle, light_warp, look.light_tone_shape);
-    let light_lit = light_apply_2(look.key, light_color, light_tone);
-    let light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone * (light_lit.color.xyz - shade_blend.xyz), 1.0 + light_lit.tone * look.light_blend_opacity * 0.0, look.light_blend_opacity, true);
-    let white_chalk_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.3);
-    let white_chalk_color = curvature_color(white_chalk_convexity, vec4f(1.0), vec4f(1.0, 0.9412, 0.8627, 1.0));
-    let white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    let light_lit = light_apply(look.key, light_color, light_tone);
+    let light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone
+        * (light_lit.color.xyz - shade_blend.xyz), 1.0, look.light_blend_opacity, true);
+    let white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
+    let white_chalk_color = curvature_color(white_chalk_convexity, vec4f(1.0),
+        vec4f(1.0, 0.9412, 0.8627, 1.0));
+    let white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
     let white_chalk_warp = (2.0 * white_chalk_convexity - 1.0) * 0.3;
-    let white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
-    let white_chalk_lit = light_apply_2(look.key, white_chalk_color, white_chalk_tone);
-    let white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone, 0.85, true);
-    let reddish_rim_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let reddish_rim_color = curvature_color(reddish_rim_convexity, vec4f(0.7059, 0.3294, 0.2275, 1.0), vec4f(0.4784, 0.1647, 0.1098, 1.0));
-    let reddish_rim_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp,
+        white_chalk_tone_shape);
+    let white_chalk_lit = light_apply(look.key, white_chalk_color, white_chalk_tone);
+    let white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone,
+        0.85, true);
+    let reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
+    let reddish_rim_color = curvature_color(reddish_rim_convexity,
+        vec4f(0.7059, 0.3294, 0.2275, 1.0), vec4f(0.4784, 0.1647, 0.1098, 1.0));
+    let reddish_rim_angle = parametrization_diffuse_balanced(look.back, surface.normal);
     let reddish_rim_warp = (2.0 * reddish_rim_convexity - 1.0) * 0.1;
-    let reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
-    let reddish_rim_lit = light_apply_2(look.back, reddish_rim_color, reddish_rim_tone);
-    let reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz * mix(vec3f(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), white_chalk_blend.w, look.reddish_rim_blend_opacity, true);
-    let output = finite_vec4(select(vec4f(reddish_rim_blend.xyz / reddish_rim_blend.w, reddish_rim_blend.w), reddish_rim_blend, reddish_rim_blend.w <= 0.0));
-    return output;
+    let reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp,
+        reddish_rim_tone_shape);
+    let reddish_rim_lit = light_apply(look.back, reddish_rim_color, reddish_rim_tone);
+    let reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz
+        * mix(vec3f(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0,
+        look.reddish_rim_blend_opacity, true);
+    return reddish_rim_blend;
 }
 
 struct Vertex {
@@ -410,21 +390,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

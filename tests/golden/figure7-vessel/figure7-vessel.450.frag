@@ -49,7 +49,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape tone_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u);
 const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u);
@@ -70,15 +69,10 @@ vec3 normalize_seen_balanced(vec3 v) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -108,10 +102,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
@@ -129,25 +119,19 @@ LitLayer light_apply(Light light, vec4 color_3, float tone_3) {
     return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_4, float tone_4) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4((light_1.color * split_1.y), 1.0), (tone_4 * split_1.x));
-}
-
-Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
+Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
     vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_3, vec3 normal_1, mat3x3 camera_from_world) {
+Angle parametrization_screen_aligned_balanced(Light light_2, vec3 normal_1, mat3x3 camera_from_world) {
     vec3 d_1 = (camera_from_world * normal_1);
-    return Angle((0.5 * length((d_1 - light_3.own_direction))), (0.5 * length((d_1 + light_3.own_direction))));
+    return Angle((0.5 * length((d_1 - light_2.own_direction))), (0.5 * length((d_1 + light_2.own_direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -211,61 +195,55 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float light_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(light_convexity, vec4(0.8471, 0.2588, 0.2353, 1.0), vec4(0.5412, 0.1098, 0.1647, 1.0));
-    vec3 _e23 = u_look.key.direction;
-    vec3 _e32 = u_look.key.direction;
-    Angle tone_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+vec4 shade(Surface surface) {
+    float light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(light_convexity, vec4(0.8471, 0.2588, 0.2353, 1.0), vec4(0.5412, 0.1098, 0.1647, 1.0));
+    vec3 _e35 = u_look.key.direction;
+    vec3 _e44 = u_look.key.direction;
+    Angle tone_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float tone_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    float _e45 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
-    Light _e48 = u_look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 _e59 = blend_alpha(vec4(0.4784, 0.0784, 0.1255, 1.0), _e49.color, _e49.tone, 1.0, true);
-    vec4 _e70 = curvature_color(light_convexity, vec4(0.6902, 0.1882, 0.2196, 1.0), vec4(0.3529, 0.0627, 0.1255, 1.0));
-    vec3 _e75 = u_look.side.direction;
-    vec3 _e84 = u_look.side.direction;
-    Angle shade_angle = Angle((0.5 * length((surface_1.normal - _e75))), (0.5 * length((surface_1.normal + _e84))));
+    float _e57 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
+    Light _e60 = u_look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    vec4 _e71 = blend_alpha(vec4(0.4784, 0.0784, 0.1255, 1.0), _e61.color, _e61.tone, 1.0, true);
+    vec4 _e82 = curvature_color(light_convexity, vec4(0.6902, 0.1882, 0.2196, 1.0), vec4(0.3529, 0.0627, 0.1255, 1.0));
+    vec3 _e87 = u_look.side.direction;
+    vec3 _e96 = u_look.side.direction;
+    Angle shade_angle = Angle((0.5 * length((surface.normal - _e87))), (0.5 * length((surface.normal + _e96))));
     float shade_warp = (((2.0 * light_convexity) - 1.0) * -0.2);
-    float _e97 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e100 = u_look.side;
-    LitLayer _e101 = light_apply(_e100, _e70, _e97);
-    vec4 _e106 = blend_shade(_e59, _e101.color, _e101.tone, 0.8, true);
-    Light _e109 = u_look.key;
-    Angle _e112 = parametrization_specular_balanced(_e109, surface_1.normal, surface_1.view);
-    float _e115 = profile_balanced_2_(_e112, 0.0, light_tone_shape);
-    Light _e118 = u_look.key;
-    LitLayer _e124 = light_apply(_e118, vec4(1.0, 0.8471, 0.8, 1.0), _e115);
-    vec4 _e129 = blend_alpha_2_(_e106, _e124.color, _e124.tone, 0.6, true);
-    Light _e132 = u_look.eye;
-    mat3x3 _e136 = u_look.camera_from_world;
-    Angle _e137 = parametrization_screen_aligned_balanced(_e132, surface_1.normal, _e136);
-    float _e140 = curvature_signed_balanced(surface_1.kappa, 0.1);
-    float edge_convexity = (0.5 + (0.5 * _e140));
+    float _e109 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    Light _e112 = u_look.side;
+    LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    vec4 _e118 = blend_shade(_e71, _e113.color, _e113.tone, 0.8, true);
+    Light _e121 = u_look.key;
+    Angle _e124 = parametrization_specular_balanced(_e121, surface.normal, surface.view);
+    float _e127 = profile_balanced_2_(_e124, 0.0, light_tone_shape);
+    Light _e130 = u_look.key;
+    LitLayer _e136 = light_apply(_e130, vec4(1.0, 0.8471, 0.8, 1.0), _e127);
+    vec4 _e141 = blend_alpha_2_(_e118, _e136.color, _e136.tone, 0.6, true);
+    Light _e144 = u_look.eye;
+    mat3x3 _e148 = u_look.camera_from_world;
+    Angle _e149 = parametrization_screen_aligned_balanced(_e144, surface.normal, _e148);
+    float edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
     float edge_warp = (((2.0 * edge_convexity) - 1.0) * 0.2);
-    float _e152 = profile_balanced_3_(_e137, edge_warp, edge_tone_shape);
-    Light _e155 = u_look.eye;
-    LitLayer _e158 = light_apply_2_(_e155, vec4(1.0), _e152);
-    vec4 output_ = clamp(vec4((_e129.xyz + (0.55 * ((_e129.xyz * (_e158.tone * _e158.color.xyz)) - _e129.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e176 = profile_balanced_3_(_e149, edge_warp, edge_tone_shape);
+    Light _e179 = u_look.eye;
+    LitLayer _e182 = light_apply(_e179, vec4(1.0), _e176);
+    vec4 edge_blend = clamp(vec4((_e141.xyz + (0.55 * ((_e141.xyz * (_e182.tone * _e182.color.xyz)) - _e141.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return edge_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -69,7 +69,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape tone_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u};
 constant ProfileShape shade_tone_shape = ProfileShape {0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u};
 constant ProfileShape light_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u};
@@ -84,17 +83,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -136,13 +128,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 Composite blend_alpha(
     Composite below,
     Color color,
@@ -182,31 +167,22 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_3 * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_4,
-    float tone_4
-) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4(light_1.color * split_1.y, 1.0), tone_4 * split_1.x};
-}
-
 Angle parametrization_specular_balanced(
-    Light light_2,
+    Light light_1,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
 }
 
 Angle parametrization_screen_aligned_balanced(
-    Light light_3,
+    Light light_2,
     metal::float3 normal_1,
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d_1 = camera_from_world * normal_1;
-    return Angle {0.5 * metal::length(d_1 - light_3.own_direction), 0.5 * metal::length(d_1 + light_3.own_direction)};
+    return Angle {0.5 * metal::length(d_1 - light_2.own_direction), 0.5 * metal::length(d_1 + light_2.own_direction)};
 }
 
 float profile_soft_quick(
@@ -214,8 +190,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -304,46 +279,44 @@ float profile_balanced_3_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float light_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(light_convexity, metal::float4(0.8471, 0.2588, 0.2353, 1.0), metal::float4(0.5412, 0.1098, 0.1647, 1.0));
-    metal::float3 _e23 = look.key.direction;
-    metal::float3 _e32 = look.key.direction;
-    Angle tone_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    Color _e30 = curvature_color(light_convexity, metal::float4(0.8471, 0.2588, 0.2353, 1.0), metal::float4(0.5412, 0.1098, 0.1647, 1.0));
+    metal::float3 _e35 = look.key.direction;
+    metal::float3 _e44 = look.key.direction;
+    Angle tone_angle = Angle {0.5 * metal::length(surface.normal - _e35), 0.5 * metal::length(surface.normal + _e44)};
     float tone_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
-    float _e45 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
-    Light _e48 = look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    Composite _e59 = blend_alpha(metal::float4(0.4784, 0.0784, 0.1255, 1.0), _e49.color, _e49.tone, 1.0, true);
-    Color _e70 = curvature_color(light_convexity, metal::float4(0.6902, 0.1882, 0.2196, 1.0), metal::float4(0.3529, 0.0627, 0.1255, 1.0));
-    metal::float3 _e75 = look.side.direction;
-    metal::float3 _e84 = look.side.direction;
-    Angle shade_angle = Angle {0.5 * metal::length(surface_1.normal - _e75), 0.5 * metal::length(surface_1.normal + _e84)};
+    float _e57 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
+    Light _e60 = look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    Composite _e71 = blend_alpha(metal::float4(0.4784, 0.0784, 0.1255, 1.0), _e61.color, _e61.tone, 1.0, true);
+    Color _e82 = curvature_color(light_convexity, metal::float4(0.6902, 0.1882, 0.2196, 1.0), metal::float4(0.3529, 0.0627, 0.1255, 1.0));
+    metal::float3 _e87 = look.side.direction;
+    metal::float3 _e96 = look.side.direction;
+    Angle shade_angle = Angle {0.5 * metal::length(surface.normal - _e87), 0.5 * metal::length(surface.normal + _e96)};
     float shade_warp = ((2.0 * light_convexity) - 1.0) * -0.2;
-    float _e97 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e100 = look.side;
-    LitLayer _e101 = light_apply(_e100, _e70, _e97);
-    Composite _e106 = blend_shade(_e59, _e101.color, _e101.tone, 0.8, true);
-    Light _e109 = look.key;
-    Angle _e112 = parametrization_specular_balanced(_e109, surface_1.normal, surface_1.view);
-    float _e115 = profile_balanced_2_(_e112, 0.0, light_tone_shape);
-    Light _e118 = look.key;
-    LitLayer _e124 = light_apply(_e118, metal::float4(1.0, 0.8471, 0.8, 1.0), _e115);
-    Composite _e129 = blend_alpha_2_(_e106, _e124.color, _e124.tone, 0.6, true);
-    Light _e132 = look.eye;
-    metal::float3x3 _e136 = look.camera_from_world;
-    Angle _e137 = parametrization_screen_aligned_balanced(_e132, surface_1.normal, _e136);
-    float _e140 = curvature_signed_balanced(surface_1.kappa, 0.1);
-    float edge_convexity = 0.5 + (0.5 * _e140);
+    float _e109 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    Light _e112 = look.side;
+    LitLayer _e113 = light_apply(_e112, _e82, _e109);
+    Composite _e118 = blend_shade(_e71, _e113.color, _e113.tone, 0.8, true);
+    Light _e121 = look.key;
+    Angle _e124 = parametrization_specular_balanced(_e121, surface.normal, surface.view);
+    float _e127 = profile_balanced_2_(_e124, 0.0, light_tone_shape);
+    Light _e130 = look.key;
+    LitLayer _e136 = light_apply(_e130, metal::float4(1.0, 0.8471, 0.8, 1.0), _e127);
+    Composite _e141 = blend_alpha_2_(_e118, _e136.color, _e136.tone, 0.6, true);
+    Light _e144 = look.eye;
+    metal::float3x3 _e148 = look.camera_from_world;
+    Angle _e149 = parametrization_screen_aligned_balanced(_e144, surface.normal, _e148);
+    float edge_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.1, -20.0, 20.0))))));
     float edge_warp = ((2.0 * edge_convexity) - 1.0) * 0.2;
-    float _e152 = profile_balanced_3_(_e137, edge_warp, edge_tone_shape);
-    Light _e155 = look.eye;
-    LitLayer _e158 = light_apply_2_(_e155, metal::float4(1.0), _e152);
-    metal::float4 output = metal::clamp(metal::float4(_e129.xyz + (0.55 * ((_e129.xyz * (_e158.tone * _e158.color.xyz)) - _e129.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e176 = profile_balanced_3_(_e149, edge_warp, edge_tone_shape);
+    Light _e179 = look.eye;
+    LitLayer _e182 = light_apply(_e179, metal::float4(1.0), _e176);
+    metal::float4 edge_blend = metal::clamp(metal::float4(_e141.xyz + (0.55 * ((_e141.xyz * (_e182.tone * _e182.color.xyz)) - _e141.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return edge_blend;
 }
 
 struct vs_mainInput {
@@ -361,16 +334,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -395,16 +363,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -92,9 +92,9 @@ float log1p_negative_small(float y) {
 }
 
 vec2 sin_cos_tiny(float x_2) {
-    float y_2 = (x_2 * x_2);
-    float s_2 = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    float y_1 = (x_2 * x_2);
+    float s_2 = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
     return vec2(s_2, c);
 }
 
@@ -106,11 +106,6 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
 vec3 normalize_seen(vec3 v_1) {
     vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y_1) {
-    float series = ((-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2)))))))));
-    return ((y_1 < 0.0625) ? series : log2(max((1.0 - y_1), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -314,8 +309,7 @@ float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
 
 float profile_soft_quick(float s, ProfileShape shape_2) {
     float q_2 = (s * shape_2.scale);
-    float _e8 = log2_one_minus(min((q_2 * q_2), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q_2 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q_2 * q_2)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_3, ProfileShape shape_3) {
@@ -357,24 +351,24 @@ float profile_balanced(Angle angle_1, float shift_1, ProfileShape shape_6) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
     float _e24 = footprint_of(_e22);
     float _e25 = curve_at(response_of_the_film, _e22, _e24);
     float body_tone = clamp(_e25, 0.0, 1.0);
     vec4 _e41 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
     Light _e44 = u_look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced(_e47, 0.0, sheen_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.3725, 0.3451, 0.298, 1.0), _e50);
     vec4 sheen_blend = clamp(vec4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e77 = u_look.back.direction;
     vec3 _e86 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e77))), (0.5 * length((surface_1.normal + _e86))));
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e77))), (0.5 * length((surface.normal + _e86))));
     float _e94 = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     Light _e97 = u_look.back;
     LitLayer _e103 = light_apply(_e97, vec4(0.498, 0.5255, 0.549, 1.0), _e94);
@@ -386,16 +380,13 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

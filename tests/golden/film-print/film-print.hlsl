@@ -170,9 +170,9 @@ float log1p_negative_small(float y)
 
 float2 sin_cos_tiny(float x_2)
 {
-    float y_2 = (x_2 * x_2);
-    float s_2 = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    float y_1 = (x_2 * x_2);
+    float s_2 = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
     return float2(s_2, c);
 }
 
@@ -186,12 +186,6 @@ float3 normalize_seen(float3 v_1)
 {
     const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y_1)
-{
-    float series = ((-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2)))))))));
-    return ((y_1 < 0.0625) ? series : log2(max((1.0 - y_1), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -441,8 +435,7 @@ float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1)
 float profile_soft_quick(float s, ProfileShape shape_2)
 {
     float q_2 = (s * shape_2.scale);
-    const float _e8 = log2_one_minus(min((q_2 * q_2), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q_2 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q_2 * q_2)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_3, ProfileShape shape_3)
@@ -488,25 +481,25 @@ float profile_balanced(Angle angle_1, float shift_1, ProfileShape shape_6)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
     const float _e24 = footprint_of(_e22);
     const float _e25 = curve_at(response_of_the_film, _e22, _e24);
     float body_tone = clamp(_e25, 0.0, 1.0);
     const float4 _e41 = blend_alpha(float4(0.1216, 0.1137, 0.1333, 1.0), float4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
     Light _e44 = look.key;
-    const Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    const Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     const float _e50 = profile_balanced(_e47, 0.0, sheen_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.3725, 0.3451, 0.298, 1.0), _e50);
     float4 sheen_blend = clamp(float4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     float3 _e77 = look.back.direction;
     float3 _e86 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e77))), (0.5 * length((surface_1.normal + _e86))));
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e77))), (0.5 * length((surface.normal + _e86))));
     const float _e94 = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     Light _e97 = look.back;
     const LitLayer _e103 = light_apply(_e97, float4(0.498, 0.5255, 0.549, 1.0), _e94);
@@ -515,36 +508,41 @@ float4 shade(Surface surface_1)
     return _e121;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

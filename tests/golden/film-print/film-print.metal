@@ -121,9 +121,9 @@ float log1p_negative_small(
 metal::float2 sin_cos_tiny(
     float x_2
 ) {
-    float y_2 = x_2 * x_2;
-    float s_2 = x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
+    float y_1 = x_2 * x_2;
+    float s_2 = x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
+    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
     return metal::float2(s_2, c);
 }
 
@@ -140,13 +140,6 @@ metal::float3 normalize_seen(
 ) {
     metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(
-    float y_1
-) {
-    float series = (-(y_1) * LOG2_E) * (1.0 + (y_1 * (0.5 + (y_1 * (0.33333334 + (y_1 * (0.25 + (y_1 * 0.2))))))));
-    return (y_1 < 0.0625) ? series : metal::log2(metal::max(1.0 - y_1, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -421,8 +414,7 @@ float profile_soft_quick(
     ProfileShape shape_2
 ) {
     float q_2 = s * shape_2.scale;
-    float _e8 = log2_one_minus(metal::min(q_2 * q_2, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q_2 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_2 * q_2), 0.0), shape_2.exponent);
 }
 
 float profile_ramp_quick(
@@ -481,26 +473,26 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
     float _e24 = footprint_of(_e22);
     float _e25 = curve_at(response_of_the_film, _e22, _e24);
     float body_tone = metal::clamp(_e25, 0.0, 1.0);
     Composite _e41 = blend_alpha(metal::float4(0.1216, 0.1137, 0.1333, 1.0), metal::float4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
     Light _e44 = look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced(_e47, 0.0, sheen_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.3725, 0.3451, 0.298, 1.0), _e50);
     metal::float4 sheen_blend = metal::clamp(metal::float4(_e41.xyz + (_e59.tone * _e59.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 _e77 = look.back.direction;
     metal::float3 _e86 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e77), 0.5 * metal::length(surface_1.normal + _e86)};
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e77), 0.5 * metal::length(surface.normal + _e86)};
     float _e94 = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     Light _e97 = look.back;
     LitLayer _e103 = light_apply(_e97, metal::float4(0.498, 0.5255, 0.549, 1.0), _e94);
@@ -524,16 +516,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -553,14 +540,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

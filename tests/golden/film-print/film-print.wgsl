@@ -80,8 +80,9 @@ const LOG2_E: f32 = 1.44269504088896340736;
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -125,14 +126,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -351,8 +344,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -412,22 +404,27 @@ const film_print_4 = Curve(array(vec4f(0.0, 0.13, 0.8, 0.0), vec4f(0.3, 0.37, 0.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let tone = profile(turned_from_the_key, 0.0, tone_shape);
     let response_of_the_film_2 = curve_at(response_of_the_film, tone, footprint_of(tone));
     let body_tone = clamp(response_of_the_film_2, 0.0, 1.0);
-    let body = blend_alpha(vec4f(0.1216, 0.1137, 0.1333, 1.0), vec4f(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+    let body = blend_alpha(vec4f(0.1216, 0.1137, 0.1333, 1.0), vec4f(0.7765, 0.7137, 0.6392, 1.0),
+        body_tone, 1.0, true);
     let sheen_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let sheen_tone = profile_balanced(sheen_angle, 0.0, sheen_tone_shape);
     let sheen_lit = light_apply(look.key, vec4f(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
-    let sheen_blend = clamp(vec4f(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let sheen_blend = clamp(vec4f(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0),
+        vec4f(1.0));
+    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     let back_light_lit = light_apply(look.back, vec4f(0.498, 0.5255, 0.549, 1.0), back_light_tone);
-    let back_light_blend = clamp(vec4f(sheen_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3, film_print_4);
-    let output = film_print_5;
-    return output;
+    let back_light_blend = clamp(vec4f(sheen_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3,
+        film_print_4);
+    return film_print_5;
 }
 
 struct Vertex {
@@ -444,20 +441,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

@@ -54,7 +54,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape gray_modeling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
 const ProfileShape gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
 
@@ -82,11 +81,6 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
 vec3 normalize_seen(vec3 v_2) {
     vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -177,10 +171,6 @@ vec4 mix_colors_hue(vec4 a_5, vec4 b_4, float factor_3) {
     return vec4(_e35, 1.0);
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
@@ -197,8 +187,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
@@ -251,19 +240,19 @@ float rim(Light light_2, vec3 normal_1, vec3 view_1, float width, float softness
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
     float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle gray_modeling_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle gray_modeling_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     Light _e25 = u_look.key;
     LitLayer _e31 = light_apply(_e25, vec4(0.7059, 0.7059, 0.7059, 1.0), _e22);
     vec4 _e41 = blend_alpha(vec4(0.1216, 0.1216, 0.1216, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = u_look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.2902, 0.2902, 0.2902, 1.0), _e50);
@@ -273,40 +262,34 @@ vec4 shade(Surface surface_1) {
     vec4 glaze_of_green_earth = vec4(mix(grisaille.xyz, _e82, 0.75), 1.0);
     vec3 _e93 = lit_as(vec3(0.7098, 0.4667, 0.3098), grisaille.xyz);
     vec4 glaze_of_sienna = vec4(mix(grisaille.xyz, _e93, 0.7), 1.0);
-    vec3 place_2 = surface_1.position_object;
+    vec3 place_2 = surface.position_object;
     VectorParts height = VectorParts(place_2.x, place_2.y, place_2.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     vec4 from_green_to_sienna = mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     vec4 _e114 = mix_colors_soft_light(from_green_to_sienna, vec4(0.9098, 0.702, 0.4157, 1.0), 0.6);
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e128 = curvature_signed_balanced(curvature, 0.06);
-    float bulge = (0.5 + (0.5 * _e128));
+    float curvature = surface.kappa;
+    float bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.06), -20.0, 20.0))))))));
     float hollows = mix(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
-    vec4 _e147 = mix_colors_hue(_e114, vec4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e150 = u_look.back;
-    float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    vec4 _e162 = mix_colors_screen(_e147, vec4(0.4353, 0.5294, 0.6588, 1.0), _e156);
-    vec4 _e163 = finite_vec4_(_e162);
-    return _e163;
+    vec4 _e148 = mix_colors_hue(_e114, vec4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e151 = u_look.back;
+    float _e157 = rim(_e151, surface.normal, surface.view, 0.3, 0.6, 1.0);
+    vec4 _e163 = mix_colors_screen(_e148, vec4(0.4353, 0.5294, 0.6588, 1.0), _e157);
+    vec4 _e164 = finite_vec4_(_e163);
+    return _e164;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    vec4 _e32 = shade(_e31);
-    vec4 _e33 = finite_vec4_(_e32);
-    out_color = _e33;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    vec4 _e27 = shade(surface_1);
+    vec4 _e28 = finite_vec4_(_e27);
+    out_color = _e28;
     return;
 }
 

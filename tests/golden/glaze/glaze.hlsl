@@ -98,7 +98,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape gray_modeling_tone_shape = ConstructProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
 static const ProfileShape gray_lights_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
 
@@ -138,12 +137,6 @@ float3 normalize_seen(float3 v_2)
 {
     const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -254,11 +247,6 @@ float4 mix_colors_hue(float4 a_5, float4 b_4, float factor_3)
     return float4(_e35, 1.0);
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
     return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -288,8 +276,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 vie
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
@@ -347,7 +334,7 @@ float rim(Light light_2, float3 normal_1, float3 view_1, float width, float soft
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
     float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
 VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
@@ -358,17 +345,17 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle gray_modeling_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle gray_modeling_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     Light _e25 = look.key;
     const LitLayer _e31 = light_apply(_e25, float4(0.7059, 0.7059, 0.7059, 1.0), _e22);
     const float4 _e41 = blend_alpha(float4(0.1216, 0.1216, 0.1216, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    const Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    const Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     const float _e50 = profile_balanced_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
@@ -378,39 +365,49 @@ float4 shade(Surface surface_1)
     float4 glaze_of_green_earth = float4(lerp(grisaille.xyz, _e82, 0.75), 1.0);
     const float3 _e93 = lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
     float4 glaze_of_sienna = float4(lerp(grisaille.xyz, _e93, 0.7), 1.0);
-    float3 place_2 = surface_1.position_object;
+    float3 place_2 = surface.position_object;
     VectorParts height = ConstructVectorParts(place_2.x, place_2.y, place_2.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     float4 from_green_to_sienna = lerp(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     const float4 _e114 = mix_colors_soft_light(from_green_to_sienna, float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e128 = curvature_signed_balanced(curvature, 0.06);
-    float bulge = (0.5 + (0.5 * _e128));
+    float curvature = surface.kappa;
+    float bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.06), -20.0, 20.0))))))));
     float hollows = lerp(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
-    const float4 _e147 = mix_colors_hue(_e114, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e150 = look.back;
-    const float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    const float4 _e162 = mix_colors_screen(_e147, float4(0.4353, 0.5294, 0.6588, 1.0), _e156);
-    const float4 _e163 = finite_vec4_(_e162);
-    return _e163;
+    const float4 _e148 = mix_colors_hue(_e114, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e151 = look.back;
+    const float _e157 = rim(_e151, surface.normal, surface.view, 0.3, 0.6, 1.0);
+    const float4 _e163 = mix_colors_screen(_e148, float4(0.4353, 0.5294, 0.6588, 1.0), _e157);
+    const float4 _e164 = finite_vec4_(_e163);
+    return _e164;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -421,19 +418,13 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    const float4 _e32 = shade(_e31);
-    const float4 _e33 = finite_vec4_(_e32);
-    return _e33;
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    const float4 _e27 = shade(surface_1);
+    const float4 _e28 = finite_vec4_(_e27);
+    return _e28;
 }

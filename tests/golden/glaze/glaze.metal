@@ -74,7 +74,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape gray_modeling_tone_shape = ProfileShape {1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u};
 constant ProfileShape gray_lights_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u};
 
@@ -98,13 +97,6 @@ metal::float3 normalize_seen(
 ) {
     metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -232,13 +224,6 @@ Color mix_colors_hue(
     return metal::float4(_e35, 1.0);
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 Composite blend_alpha(
     Composite below,
     Color color,
@@ -272,8 +257,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -349,22 +333,22 @@ float rim(
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
     float side = metal::dot(normal_1 - (metal::dot(normal_1, view_1) * view_1), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle gray_modeling_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle gray_modeling_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     Light _e25 = look.key;
     LitLayer _e31 = light_apply(_e25, metal::float4(0.7059, 0.7059, 0.7059, 1.0), _e22);
     Composite _e41 = blend_alpha(metal::float4(0.1216, 0.1216, 0.1216, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
@@ -374,21 +358,20 @@ metal::float4 shade(
     metal::float4 glaze_of_green_earth = metal::float4(metal::mix(grisaille.xyz, _e82, 0.75), 1.0);
     metal::float3 _e93 = lit_as(metal::float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
     metal::float4 glaze_of_sienna = metal::float4(metal::mix(grisaille.xyz, _e93, 0.7), 1.0);
-    metal::float3 place_2 = surface_1.position_object;
-    VectorParts height = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
+    metal::float3 place_2 = surface.position_object;
+    VectorParts height = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
     float toward_the_head = metal::smoothstep(-0.5, 0.5, height.y);
     metal::float4 from_green_to_sienna = metal::mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     Color _e114 = mix_colors_soft_light(from_green_to_sienna, metal::float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
-    float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e128 = curvature_signed_balanced(curvature, 0.06);
-    float bulge = 0.5 + (0.5 * _e128);
+    float curvature = surface.kappa;
+    float bulge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.06, -20.0, 20.0))))));
     float hollows = metal::mix(0.6, 0.0, metal::min((bulge - 0.0) / 0.55, 1.0));
-    Color _e147 = mix_colors_hue(_e114, metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e150 = look.back;
-    float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    Color _e162 = mix_colors_screen(_e147, metal::float4(0.4353, 0.5294, 0.6588, 1.0), _e156);
-    metal::float4 _e163 = finite_vec4_(_e162);
-    return _e163;
+    Color _e148 = mix_colors_hue(_e114, metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e151 = look.back;
+    float _e157 = rim(_e151, surface.normal, surface.view, 0.3, 0.6, 1.0);
+    Color _e163 = mix_colors_screen(_e148, metal::float4(0.4353, 0.5294, 0.6588, 1.0), _e157);
+    metal::float4 _e164 = finite_vec4_(_e163);
+    return _e164;
 }
 
 struct vs_mainInput {
@@ -407,17 +390,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_2.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_2.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -443,18 +420,13 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    metal::float4 _e29 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    metal::float4 _e32 = shade(_e31, look);
-    metal::float4 _e33 = finite_vec4_(_e32);
-    return fs_mainOutput { _e33 };
+    metal::float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x};
+    metal::float4 _e27 = shade(surface_1, look);
+    metal::float4 _e28 = finite_vec4_(_e27);
+    return fs_mainOutput { _e28 };
 }

@@ -65,7 +65,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     let exponent = vec4u(0x7f800000u);
@@ -83,14 +82,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -171,21 +162,15 @@ fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
 }
 
 fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), a.z - (1.0 - 2.0
-        * b.z) * a.z * (1.0 - a.z)), factor);
+    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), a.z
+        - (1.0 - 2.0 * b.z) * a.z * (1.0 - a.z)), factor);
 }
 
 fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {
     let below = clamp(bounded_vec3(a.xyz), vec3f(0.0), vec3f(1.0));
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), lit_as((b.xyz - b.y) * ((max(max(below.x, below.y),
-        below.z) - min(min(below.x, below.y), below.z)) / (b.x - b.y)), below), max(factor, 0.0)),
-        1.0);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz),
+        lit_as((b.xyz - b.y) * ((max(max(below.x, below.y), below.z)
+        - min(min(below.x, below.y), below.z)) / (b.x - b.y)), below), max(factor, 0.0)), 1.0);
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -236,8 +221,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -293,9 +277,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 struct VectorParts {
@@ -312,30 +296,41 @@ const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let gray_modeling_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let gray_modeling_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let gray_modeling_tone = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
-    let gray_modeling_lit = light_apply(look.key, vec4f(0.7059, 0.7059, 0.7059, 1.0), gray_modeling_tone);
-    let gray_modeling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0), gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
-    let gray_lights_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    let gray_modeling_lit = light_apply(look.key, vec4f(0.7059, 0.7059, 0.7059, 1.0),
+        gray_modeling_tone);
+    let gray_modeling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0),
+        gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
+    let gray_lights_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
     let gray_lights_tone = profile_balanced_2(gray_lights_angle, 0.0, gray_lights_tone_shape);
-    let gray_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0), gray_lights_tone);
-    let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + gray_lights_lit.tone * gray_lights_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let gray_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0),
+        gray_lights_tone);
+    let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + gray_lights_lit.tone
+        * gray_lights_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let grisaille = vec4f(gray_lights_blend.xyz, 1.0);
-    let glaze_of_green_earth = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.4275, 0.5412, 0.4471, 1.0).xyz, grisaille.xyz), 0.75), 1.0);
-    let glaze_of_sienna = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.7098, 0.4667, 0.3098, 1.0).xyz, grisaille.xyz), 0.7), 1.0);
+    let glaze_of_green_earth = vec4f(mix(grisaille.xyz,
+        lit_as(vec4f(0.4275, 0.5412, 0.4471, 1.0).xyz, grisaille.xyz), 0.75), 1.0);
+    let glaze_of_sienna = vec4f(mix(grisaille.xyz,
+        lit_as(vec4f(0.7098, 0.4667, 0.3098, 1.0).xyz, grisaille.xyz), 0.7), 1.0);
     let place = surface.position_object;
     let height = VectorParts(place.x, place.y, place.z);
     let toward_the_head = smoothstep(-0.5, 0.5, height.y);
     let from_green_to_sienna = mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
-    let warm_light = mix_colors_soft_light(from_green_to_sienna, vec4f(0.9098, 0.702, 0.4157, 1.0), 0.6);
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let bulge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.06);
+    let warm_light = mix_colors_soft_light(from_green_to_sienna, vec4f(0.9098, 0.702, 0.4157, 1.0),
+        0.6);
+    let curvature = surface.kappa;
+    let bulge = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.06, -20.0, 20.0))));
     let hollows = mix(0.6, 0.0, min((bulge - 0.0) / (0.55 - 0.0), 1.0));
-    let wine_in_the_hollows = mix_colors_hue(warm_light, vec4f(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    let wine_in_the_hollows = mix_colors_hue(warm_light, vec4f(0.4902, 0.2471, 0.3608, 1.0),
+        hollows);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
-    let cool_edge = mix_colors_screen(wine_in_the_hollows, vec4f(0.4353, 0.5294, 0.6588, 1.0), rim_2);
-    let output = finite_vec4(cool_edge);
-    return output;
+    let cool_edge = mix_colors_screen(wine_in_the_hollows, vec4f(0.4353, 0.5294, 0.6588, 1.0),
+        rim_2);
+    return finite_vec4(cool_edge);
 }
 
 struct Vertex {
@@ -353,23 +348,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return finite_vec4(shade(surface));
 }

@@ -82,22 +82,14 @@ Angle angle_turned(Angle u_1, vec2 t) {
     return Angle(turned.x, turned.y);
 }
 
-vec2 bounded_vec2_(vec2 v_1) {
-    uvec2 bits = floatBitsToUint(v_1);
-    uvec2 magnitude = (bits & uvec2(2147483647u));
-    vec2 largest = uintBitsToFloat(((bits & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest, equal(magnitude, uvec2(2139095040u)));
-    return mix(numbers, v_1, lessThan(magnitude, uvec2(2139095040u)));
-}
-
 float eased(float x_1, float low, float high) {
     float t_1 = clamp(((x_1 - low) / (high - low)), 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-vec2 footprint_of_vec2_(vec2 v_2) {
-    vec2 dx_1 = dFdx(v_2);
-    vec2 dy_1 = dFdy(v_2);
+vec2 footprint_of_vec2_(vec2 v_1) {
+    vec2 dx_1 = dFdx(v_1);
+    vec2 dy_1 = dFdy(v_1);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
@@ -127,10 +119,9 @@ vec2 turned_by(vec2 p, float angle_1) {
 
 vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
     vec2 most = vec2(4194304.0);
-    vec2 _e6 = bounded_vec2_(place);
-    vec2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport.y, 1.0))));
-    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_2);
-    return clamp(_e17, vec2(-4194304.0), most);
+    vec2 upright = (place * (lines / max(viewport.y, 1.0)));
+    vec2 _e14 = turned_by(clamp(upright, vec2(-4194304.0), most), angle_2);
+    return clamp(_e14, vec2(-4194304.0), most);
 }
 
 float dot_radius(float share) {
@@ -236,50 +227,45 @@ float halftone_dots_2_(float value_1, vec2 place_2, float lines_2, float angle_4
     return (1.0 - _e12);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.25) / 1.25), 0.0);
+    float light_and_shade = max(((dot(surface.normal, _e5) + 0.25) / 1.25), 0.0);
     float red_to_print = mix(0.15, 1.0, clamp(((light_and_shade - 0.1) / 0.65), 0.0, 1.0));
     vec2 _e28 = u_look.viewport;
-    float _e29 = halftone_dots(red_to_print, surface_1.pixel, 78.0, 0.2617994, _e28);
+    float _e29 = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, _e28);
     vec4 red_on_yellow = mix(vec4(0.91, 0.3, 0.24, 1.0), vec4(1.0, 0.87, 0.58, 1.0), _e29);
     vec3 _e45 = u_look.key.direction;
     vec3 _e54 = u_look.key.direction;
-    Angle turned_from_the_light = Angle((0.5 * length((surface_1.normal - _e45))), (0.5 * length((surface_1.normal + _e54))));
+    Angle turned_from_the_light = Angle((0.5 * length((surface.normal - _e45))), (0.5 * length((surface.normal + _e54))));
     float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = (1.0 - _e62);
     float how_much_blue = (deep_shade * 0.62);
     float less = (1.0 - how_much_blue);
     vec2 _e74 = u_look.viewport;
-    float _e75 = halftone_dots_2_(less, surface_1.pixel, 78.0, 1.3089969, _e74);
+    float _e75 = halftone_dots_2_(less, surface.pixel, 78.0, 1.3089969, _e74);
     float inked = (1.0 - _e75);
     vec4 blue_over_it = vec4(mix(red_on_yellow.xyz, (red_on_yellow.xyz * vec3(0.24, 0.3, 0.58)), inked), 1.0);
     Light _e90 = u_look.key;
-    Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    Angle _e93 = parametrization_specular_balanced(_e90, surface.normal, surface.view);
     float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     vec4 left_free = mix(blue_over_it, vec4(1.0, 0.99, 0.95, 1.0), _e96);
-    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e111 = eased(facing, 0.3, 0.22);
-    vec4 output_ = mix(left_free, vec4(0.09, 0.07, 0.13, 1.0), _e111);
-    return output_;
+    float _e111 = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
+    vec4 black_line = mix(left_free, vec4(0.09, 0.07, 0.13, 1.0), _e111);
+    return black_line;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec2(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e26 = u_view.screen;
-    vec4 _e31 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e26.xy) + _e31.zw);
-    Surface _e34 = surface;
-    vec4 _e35 = shade(_e34);
-    out_color = _e35;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e22 = u_view.screen;
+    vec4 _e27 = u_view.screen;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), ((in_.clip.xy * _e22.xy) + _e27.zw));
+    vec4 _e31 = shade(surface_1);
+    out_color = _e31;
     return;
 }
 

@@ -147,25 +147,16 @@ Angle angle_turned(Angle u_1, float2 t)
     return angle_5;
 }
 
-float2 bounded_vec2_(float2 v_1)
-{
-    uint2 bits = asuint(v_1);
-    uint2 magnitude = (bits & (2147483647u).xx);
-    float2 largest = asfloat(((bits & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude == (2139095040u).xx) ? largest : (0.0).xx);
-    return ((magnitude < (2139095040u).xx) ? v_1 : numbers);
-}
-
 float eased(float x_1, float low, float high)
 {
     float t_1 = clamp(((x_1 - low) / (high - low)), 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float2 footprint_of_vec2_(float2 v_2)
+float2 footprint_of_vec2_(float2 v_1)
 {
-    float2 dx_1 = ddx(v_2);
-    float2 dy_1 = ddy(v_2);
+    float2 dx_1 = ddx(v_1);
+    float2 dy_1 = ddy(v_1);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
@@ -201,10 +192,9 @@ float2 turned_by(float2 p, float angle_1)
 float2 screen_cells(float2 place, float2 viewport, float lines, float angle_2)
 {
     float2 most = (4194304.0).xx;
-    const float2 _e6 = bounded_vec2_(place);
-    const float2 _e13 = bounded_vec2_((_e6 * (78.0 / max(viewport.y, 1.0))));
-    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_2);
-    return clamp(_e17, (-4194304.0).xx, most);
+    float2 upright = (place * (lines / max(viewport.y, 1.0)));
+    const float2 _e14 = turned_by(clamp(upright, (-4194304.0).xx, most), angle_2);
+    return clamp(_e14, (-4194304.0).xx, most);
 }
 
 float dot_radius(float share)
@@ -323,68 +313,72 @@ float halftone_dots_2_(float value_1, float2 place_2, float lines_2, float angle
     return (1.0 - _e12);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.25) / 1.25), 0.0);
+    float light_and_shade = max(((dot(surface.normal, _e5) + 0.25) / 1.25), 0.0);
     float red_to_print = lerp(0.15, 1.0, clamp(((light_and_shade - 0.1) / 0.65), 0.0, 1.0));
     float2 _e28 = look.viewport;
-    const float _e29 = halftone_dots(red_to_print, surface_1.pixel, 78.0, 0.2617994, _e28);
+    const float _e29 = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, _e28);
     float4 red_on_yellow = lerp(float4(0.91, 0.3, 0.24, 1.0), float4(1.0, 0.87, 0.58, 1.0), _e29);
     float3 _e45 = look.key.direction;
     float3 _e54 = look.key.direction;
-    Angle turned_from_the_light = ConstructAngle((0.5 * length((surface_1.normal - _e45))), (0.5 * length((surface_1.normal + _e54))));
+    Angle turned_from_the_light = ConstructAngle((0.5 * length((surface.normal - _e45))), (0.5 * length((surface.normal + _e54))));
     const float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = (1.0 - _e62);
     float how_much_blue = (deep_shade * 0.62);
     float less = (1.0 - how_much_blue);
     float2 _e74 = look.viewport;
-    const float _e75 = halftone_dots_2_(less, surface_1.pixel, 78.0, 1.3089969, _e74);
+    const float _e75 = halftone_dots_2_(less, surface.pixel, 78.0, 1.3089969, _e74);
     float inked = (1.0 - _e75);
     float4 blue_over_it = float4(lerp(red_on_yellow.xyz, (red_on_yellow.xyz * float3(0.24, 0.3, 0.58)), inked), 1.0);
     Light _e90 = look.key;
-    const Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    const Angle _e93 = parametrization_specular_balanced(_e90, surface.normal, surface.view);
     const float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     float4 left_free = lerp(blue_over_it, float4(1.0, 0.99, 0.95, 1.0), _e96);
-    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    const float _e111 = eased(facing, 0.3, 0.22);
-    float4 output = lerp(left_free, float4(0.09, 0.07, 0.13, 1.0), _e111);
-    return output;
+    const float _e111 = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
+    float4 black_line = lerp(left_free, float4(0.09, 0.07, 0.13, 1.0), _e111);
+    return black_line;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float2 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.pixel = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e26 = view_1.screen;
-    float4 _e31 = view_1.screen;
-    surface.pixel = ((in_.clip_.xy * _e26.xy) + _e31.zw);
-    Surface _e34 = surface;
-    const float4 _e35 = shade(_e34);
-    return _e35;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e22 = view_1.screen;
+    float4 _e27 = view_1.screen;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), ((in_.clip_.xy * _e22.xy) + _e27.zw));
+    const float4 _e31 = shade(surface_1);
+    return _e31;
 }

@@ -103,16 +103,6 @@ Angle angle_turned(
     return Angle {turned.x, turned.y};
 }
 
-metal::float2 bounded_vec2_(
-    metal::float2 v_1
-) {
-    metal::uint2 bits = as_type<metal::uint2>(v_1);
-    metal::uint2 magnitude = bits & metal::uint2(2147483647u);
-    metal::float2 largest = as_type<metal::float2>((bits & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest, magnitude == metal::uint2(2139095040u));
-    return metal::select(numbers, v_1, magnitude < metal::uint2(2139095040u));
-}
-
 float eased(
     float x_1,
     float low,
@@ -123,10 +113,10 @@ float eased(
 }
 
 metal::float2 footprint_of_vec2_(
-    metal::float2 v_2
+    metal::float2 v_1
 ) {
-    metal::float2 dx_1 = metal::dfdx(v_2);
-    metal::float2 dy_1 = metal::dfdy(v_2);
+    metal::float2 dx_1 = metal::dfdx(v_1);
+    metal::float2 dy_1 = metal::dfdy(v_1);
     return metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1));
 }
 
@@ -176,10 +166,9 @@ metal::float2 screen_cells(
     float angle_2
 ) {
     metal::float2 most = metal::float2(4194304.0);
-    metal::float2 _e6 = bounded_vec2_(place);
-    metal::float2 _e13 = bounded_vec2_(_e6 * (78.0 / metal::max(viewport.y, 1.0)));
-    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_2);
-    return metal::clamp(_e17, metal::float2(-4194304.0), most);
+    metal::float2 upright = place * (lines / metal::max(viewport.y, 1.0));
+    metal::float2 _e14 = turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle_2);
+    return metal::clamp(_e14, metal::float2(-4194304.0), most);
 }
 
 float dot_radius(
@@ -319,34 +308,33 @@ float halftone_dots_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float light_and_shade = metal::max((metal::dot(surface_1.normal, _e5) + 0.25) / 1.25, 0.0);
+    float light_and_shade = metal::max((metal::dot(surface.normal, _e5) + 0.25) / 1.25, 0.0);
     float red_to_print = metal::mix(0.15, 1.0, metal::clamp((light_and_shade - 0.1) / 0.65, 0.0, 1.0));
     metal::float2 _e28 = look.viewport;
-    float _e29 = halftone_dots(red_to_print, surface_1.pixel, 78.0, 0.2617994, _e28);
+    float _e29 = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, _e28);
     metal::float4 red_on_yellow = metal::mix(metal::float4(0.91, 0.3, 0.24, 1.0), metal::float4(1.0, 0.87, 0.58, 1.0), _e29);
     metal::float3 _e45 = look.key.direction;
     metal::float3 _e54 = look.key.direction;
-    Angle turned_from_the_light = Angle {0.5 * metal::length(surface_1.normal - _e45), 0.5 * metal::length(surface_1.normal + _e54)};
+    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - _e45), 0.5 * metal::length(surface.normal + _e54)};
     float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = 1.0 - _e62;
     float how_much_blue = deep_shade * 0.62;
     float less = 1.0 - how_much_blue;
     metal::float2 _e74 = look.viewport;
-    float _e75 = halftone_dots_2_(less, surface_1.pixel, 78.0, 1.3089969, _e74);
+    float _e75 = halftone_dots_2_(less, surface.pixel, 78.0, 1.3089969, _e74);
     float inked = 1.0 - _e75;
     metal::float4 blue_over_it = metal::float4(metal::mix(red_on_yellow.xyz, red_on_yellow.xyz * metal::float3(0.24, 0.3, 0.58), inked), 1.0);
     Light _e90 = look.key;
-    Angle _e93 = parametrization_specular_balanced(_e90, surface_1.normal, surface_1.view);
+    Angle _e93 = parametrization_specular_balanced(_e90, surface.normal, surface.view);
     float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
     metal::float4 left_free = metal::mix(blue_over_it, metal::float4(1.0, 0.99, 0.95, 1.0), _e96);
-    float facing = metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e111 = eased(facing, 0.3, 0.22);
-    metal::float4 output = metal::mix(left_free, metal::float4(0.09, 0.07, 0.13, 1.0), _e111);
-    return output;
+    float _e111 = eased(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
+    metal::float4 black_line = metal::mix(left_free, metal::float4(0.09, 0.07, 0.13, 1.0), _e111);
+    return black_line;
 }
 
 struct vs_mainInput {
@@ -364,16 +352,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -393,17 +376,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e26 = view_1.screen;
-    metal::float4 _e31 = view_1.screen;
-    surface.pixel = (in.clip.xy * _e26.xy) + _e31.zw;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    return fs_mainOutput { _e35 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e22 = view_1.screen;
+    metal::float4 _e27 = view_1.screen;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), (in.clip.xy * _e22.xy) + _e27.zw};
+    metal::float4 _e31 = shade(surface_1, look);
+    return fs_mainOutput { _e31 };
 }

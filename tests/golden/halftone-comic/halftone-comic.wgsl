@@ -101,15 +101,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
@@ -173,7 +164,7 @@ fn turned_by(p: vec2f, angle: f32) -> vec2f {
 /// and is turned by an angle in radians.
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (78.0 / max(viewport.y, 1.0)));
+    let upright = place * (lines / max(viewport.y, 1.0));
     return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
         most);
 }
@@ -295,22 +286,22 @@ fn shade(surface: Surface) -> vec4f {
     let red_to_print = mix(0.15, 1.0, clamp((light_and_shade - 0.1) / (0.75 - 0.1), 0.0, 1.0));
     let red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, look.viewport);
     let red_on_yellow = mix(vec4f(0.91, 0.3, 0.24, 1.0), vec4f(1.0, 0.87, 0.58, 1.0), red_dots);
-    let turned_from_the_light = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_light = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     let deep_shade = 1.0 - not_in_deep_shade;
     let how_much_blue = deep_shade * 0.62;
     let less = 1.0 - how_much_blue;
     let blue_dots = halftone_dots_2(less, surface.pixel, 78.0, 1.3089969, look.viewport);
     let inked = 1.0 - blue_dots;
-    let blue_over_it = vec4f(mix(red_on_yellow.xyz, red_on_yellow.xyz * vec4f(0.24, 0.3, 0.58, 1.0).xyz, inked), 1.0);
+    let blue_over_it = vec4f(mix(red_on_yellow.xyz, red_on_yellow.xyz
+        * vec4f(0.24, 0.3, 0.58, 1.0).xyz, inked), 1.0);
     let mirrored = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight = profile_balanced(mirrored, 0.0, highlight_shape);
     let left_free = mix(blue_over_it, vec4f(1.0, 0.99, 0.95, 1.0), highlight);
-    let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    let contour = eased(facing, 0.3, 0.22);
+    let contour = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
     let black_line = mix(left_free, vec4f(0.09, 0.07, 0.13, 1.0), contour);
-    let output = black_line;
-    return output;
+    return black_line;
 }
 
 struct Vertex {
@@ -327,21 +318,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position), in.clip.xy
+        * view.screen.xy + view.screen.zw);
+    return shade(surface);
 }

@@ -65,6 +65,7 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -79,33 +80,15 @@ layout(location = 1) smooth in vec3 v_position_object;
 layout(location = 2) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
-}
-
-vec3 normalize_or(vec3 v, vec3 otherwise) {
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return otherwise;
-    }
-    vec3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float exp2_stable(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f = (x_1 - whole_1);
+float exp2_stable(float x) {
+    float whole_1 = roundEven(x);
+    float f = (x - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
     int exponent = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -113,29 +96,29 @@ float log2_stable(float x_2) {
     return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
+float bounded(float x_2) {
+    uint bits_1 = floatBitsToUint(x_2);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_2 = floatBitsToUint(v_3);
+vec3 bounded_vec3_(vec3 v_2) {
+    uvec3 bits_2 = floatBitsToUint(v_2);
     uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
+    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -146,80 +129,68 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float eased(float x_4, float low, float high) {
-    float t_1 = clamp(((x_4 - low) / (high - low)), 0.0, 1.0);
+float eased(float x_3, float low, float high) {
+    float t_1 = clamp(((x_3 - low) / (high - low)), 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float footprint_of(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-vec3 tensor_safe(vec3 tensor) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return vec3(_e2, _e4, _e6);
-}
-
-vec2 principal_curvatures(vec3 tensor_1) {
-    float mean = (0.5 * (tensor_1.x + tensor_1.z));
-    float spread = length(vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+vec2 principal_curvatures(vec3 tensor) {
+    float mean = (0.5 * (tensor.x + tensor.z));
+    float spread = length(vec2((0.5 * (tensor.x - tensor.z)), tensor.y));
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
     return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
+    vec3 _e6 = normalize_moderate(toward, vec3(0.0, 0.0, 1.0));
     vec3 leaning = cross(up, _e6);
-    float square_2 = dot(leaning, leaning);
+    float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 across_2 = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
     vec3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
     return mat3x3(_e33, cross(_e6, _e33), _e6);
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_4 = uvec3(0u);
-    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_4;
-    uvec3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_4;
+    uvec3 v_3 = uvec3(0u);
+    v_3 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_3;
+    uvec3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_3;
     return _e61;
 }
 
@@ -255,8 +226,7 @@ float value_noise(vec3 p, uint seed_1) {
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
@@ -275,50 +245,49 @@ vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
 }
 
 StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1, vec3 view_1, float magnification, float angle_1) {
-    float _e7 = bounded(magnification);
-    float height = (1.0 / clamp(_e7, 1e-15, 1000000000000000.0));
-    vec3 _e13 = gradient_on_picture(along_1, normal_1, view_1);
-    vec3 _e15 = bounded_vec3_((_e13 * height));
-    vec3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
-    vec3 _e18 = bounded_vec3_((_e16 * height));
-    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
-    return _e19;
+    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
+    vec3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
+    vec3 _e14 = bounded_vec3_((_e12 * height));
+    vec3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
+    vec3 _e17 = bounded_vec3_((_e15 * height));
+    StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
+    return _e18;
 }
 
 StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec2 place_5 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
-    vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
-    vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
-    return _e23;
+    vec3 along_2 = (world_from_normal * _e11[0]);
+    vec3 across_3 = (world_from_normal * _e11[2]);
+    StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
+    return _e21;
 }
 
 SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = (is_pixel ? (120.0 / max(viewport.y, 1.0)) : 120.0);
+    float scale_1 = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
     vec2 p_1 = clamp((place_2 * scale_1), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e23 = bounded_vec3_(stretch);
-    vec3 s = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    vec3 _e21 = bounded_vec3_(stretch);
+    vec3 s = clamp(_e21, vec3(-1000000000000000.0), vec3(1000000000000000.0));
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
 }
 
-Stroke stroke_at(ivec2 line, float x_6, int zoom, Strokes style) {
+Stroke stroke_at(ivec2 line, float x_5, int zoom, Strokes style) {
     uvec3 _e14 = hash_pcg3d((uvec3(ivec3(line, 1048576)) + (style.seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
     vec3 own_1 = (vec3((_e14 >> uvec3(8u))) * 5.9604645e-8);
-    float along_2 = (clamp(((x_6 * uintBitsToFloat((uint((zoom + 127)) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
-    float index = floor(along_2);
+    float along_3 = (clamp(((x_5 * uintBitsToFloat((uint((zoom + 127)) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
+    float index = floor(along_3);
     uvec3 _e48 = hash_pcg3d((uvec3(ivec3(line, int(index))) + ((style.seed + uint(zoom)) * uvec3(2654435769u, 2246822507u, 3266489909u))));
     vec3 chance = (vec3((_e48 >> uvec3(8u))) * 5.9604645e-8);
-    float from_end = min((along_2 - index), (1.0 - (along_2 - index)));
+    float from_end = min((along_3 - index), (1.0 - (along_3 - index)));
     float slope = min((from_end / (0.5 * style.taper)), 1.0);
     return Stroke(chance.x, (slope * (2.0 - slope)));
 }
 
-Stroke stroke_between(ivec2 line_1, float x_7, float level, Strokes style_1) {
+Stroke stroke_between(ivec2 line_1, float x_6, float level, Strokes style_1) {
     float zoom_2 = floor(level);
-    Stroke _e6 = stroke_at(line_1, x_7, int(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_7, (int(zoom_2) + 1), style_1);
+    Stroke _e6 = stroke_at(line_1, x_6, int(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_6, (int(zoom_2) + 1), style_1);
     float f_2 = (level - zoom_2);
     return Stroke(mix(_e6.turn, _e10.turn, f_2), mix(_e6.profile, _e10.profile, f_2));
 }
@@ -352,14 +321,14 @@ float hatched(vec2 place_4, float w_1, float level_1, float ink, Strokes style_2
     float _e18 = stray_at(place_4, int(zoom_3), style_2.seed);
     float _e23 = stray_at(place_4, (int(zoom_3) + 1), style_2.seed);
     float stray = mix(_e18, _e23, (level_1 - zoom_3));
-    float across_3 = (place_4.y + (style_2.wobble * stray));
+    float across_4 = (place_4.y + (style_2.wobble * stray));
     float _e32 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e32), -40.0);
     float octave_1 = floor(density);
     float _e38 = exp2_stable((density - octave_1));
     float growth = (_e38 - 1.0);
     float scale_2 = uintBitsToFloat((uint((int(octave_1) + 127)) << 23u));
-    float q = clamp((across_3 * scale_2), -4194304.0, 4194304.0);
+    float q = clamp((across_4 * scale_2), -4194304.0, 4194304.0);
     float _e55 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width) * _e55);
     float footprint = (w_1 * scale_2);
@@ -379,7 +348,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
     int i_1 = 0;
     float free = 1.0;
-    vec2 x_9 = dFdx(at.place);
+    vec2 x_8 = dFdx(at.place);
     vec2 y = dFdy(at.place);
     float amount = (ink_1 * 3.0);
     bool loop_init_1 = true;
@@ -398,13 +367,13 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
             int _e23 = i_1;
             float x_2_ = (float(_e23) * cross_);
             vec2 turn_1 = vec2(sin(x_2_), cos(x_2_));
-            vec2 along_3 = vec2(turn_1.y, turn_1.x);
-            vec2 across_4 = vec2(-(turn_1.x), turn_1.y);
-            float w_2 = length(vec2(dot(across_4, x_9), dot(across_4, y)));
-            float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            float _e64 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            vec2 along_4 = vec2(turn_1.y, turn_1.x);
+            vec2 across_5 = vec2(-(turn_1.x), turn_1.y);
+            float w_2 = length(vec2(dot(across_5, x_8), dot(across_5, y)));
+            float square_2 = dot(vec3((across_5.x * across_5.x), ((2.0 * across_5.x) * across_5.y), (across_5.y * across_5.y)), at.stretch);
+            float _e64 = log2_stable(max(max(square_2, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e64), -16.0, 16.0);
-            vec2 place_6 = vec2(dot(along_3, at.place), dot(across_4, at.place));
+            vec2 place_6 = vec2(dot(along_4, at.place), dot(across_5, at.place));
             own = style_3;
             int _e78 = i_1;
             own.seed = (4u + (101u * uint(_e78)));
@@ -425,60 +394,51 @@ MarkPlace mark_place_light(Light light, vec3 normal_3, float angle_3, vec3 view_
     return MarkPlace(_e9.place, _e9.stretch);
 }
 
-float faded_in(float x_8, float limit, float softness) {
-    float _e3 = footprint_of(x_8);
-    float width_1 = length(vec2(min(_e3, 1000000000000000.0), (75.0 * softness)));
-    float _e10 = bounded(x_8);
-    float _e13 = bounded((_e10 - 75.0));
-    return clamp((0.5 + (_e13 / width_1)), 0.0, 1.0);
+float faded_in(float x_7, float limit, float softness) {
+    float _e3 = footprint_of(x_7);
+    float width_1 = length(vec2(min(_e3, 1000000000000000.0), (limit * softness)));
+    float _e9 = bounded(x_7);
+    float _e11 = bounded((_e9 - limit));
+    return clamp((0.5 + (_e11 / width_1)), 0.0, 1.0);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.35) / 1.35), 0.0);
+    float light_and_shade = max(((dot(surface.normal, _e5) + 0.35) / 1.35), 0.0);
     float tone_to_draw = mix(0.04, 1.0, min(((light_and_shade - 0.0) / 0.85), 1.0));
     Light _e24 = u_look.key;
-    MarkPlace _e31 = mark_place_light(_e24, surface_1.normal, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
+    MarkPlace _e31 = mark_place_light(_e24, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
     vec2 _e36 = u_look.viewport;
     SpacedPlace _e38 = spaced(_e31.place, _e31.stretch, _e36, 120.0);
     float _e53 = cross_hatched(_e38, (1.0 - min(tone_to_draw, 1.0)), 3, 0.8, Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
-    float facing_1 = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e62 = eased(facing_1, 0.34, 0.2);
+    float _e62 = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.34, 0.2);
     float ink_2 = max(_e53, _e62);
-    vec3 _e65 = tensor_safe(surface_1.curvature_tensor);
-    vec2 _e66 = principal_curvatures(_e65);
-    float _e71 = faded_in(-(_e66.y), 75.0, 0.3);
-    float features = (_e71 * smoothstep(0.05, 0.3, dot(surface_1.normal, surface_1.view)));
+    vec2 _e65 = principal_curvatures(surface.curvature_tensor);
+    float _e70 = faded_in(-(_e65.y), 75.0, 0.3);
+    float features = (_e70 * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
     float strokes_and_features = max(ink_2, features);
-    vec4 output_ = mix(vec4(0.965, 0.937, 0.875, 1.0), vec4(0.12, 0.105, 0.16, 1.0), strokes_and_features);
-    return output_;
+    vec4 pen_on_paper = mix(vec4(0.965, 0.937, 0.875, 1.0), vec4(0.12, 0.105, 0.16, 1.0), strokes_and_features);
+    return pen_on_paper;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, mat3x3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    surface.curvature_tensor = _e29.xyz;
-    mat4x4 _e34 = u_view.camera_from_world;
-    float _e44 = u_view.eye.w;
-    float _e49 = u_view.clip_from_world[0][1];
-    float _e54 = u_view.clip_from_world[1][1];
-    float _e59 = u_view.clip_from_world[2][1];
-    float _e62 = size_on_screen(-((_e34 * vec4(in_.position, 1.0)).z), _e44, length(vec3(_e49, _e54, _e59)));
-    surface.magnification = _e62;
-    mat3x3 _e66 = u_object.world_from_normal;
-    surface.world_from_normal = _e66;
-    Surface _e67 = surface;
-    vec4 _e68 = shade(_e67);
-    out_color = _e68;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e28 = u_view.camera_from_world;
+    float _e38 = u_view.eye.w;
+    float _e43 = u_view.clip_from_world[0][1];
+    float _e48 = u_view.clip_from_world[1][1];
+    float _e53 = u_view.clip_from_world[2][1];
+    float _e56 = size_on_screen(-((_e28 * vec4(in_.position, 1.0)).z), _e38, length(vec3(_e43, _e48, _e53)));
+    mat3x3 _e59 = u_object.world_from_normal;
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.xyz, _e56, _e59);
+    vec4 _e61 = shade(surface_1);
+    out_color = _e61;
     return;
 }
 

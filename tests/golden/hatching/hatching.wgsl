@@ -52,36 +52,14 @@ struct Light {
     intensity: f32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -151,18 +129,6 @@ fn footprint_of(x: f32) -> f32 {
     return bounded(sqrt(dot(d, d)));
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
-/// Tensor fit for use: [`kappa_safe`] of each number.
-fn tensor_safe(tensor: vec3f) -> vec3f {
-    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
-}
-
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
@@ -177,7 +143,7 @@ fn principal_curvatures(tensor: vec3f) -> vec2f {
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
+    let z = normalize_moderate(toward, vec3f(0.0, 0.0, 1.0));
     let leaning = cross(up, z);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
@@ -214,7 +180,8 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
         }
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum = sum + weight.x * weight.y * 0.5 * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
+        sum = sum + weight.x * weight.y * 0.5
+            * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
             * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u))
             * 5.9604644775390625e-8).x;
         continuing {
@@ -224,12 +191,14 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
     return sum;
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// A place for marks.
@@ -267,15 +236,15 @@ fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal
     view: vec3f, magnification: f32, angle: f32) -> StretchedPlace {
     let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
     let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
-    let along = bounded_vec3(world_from_normal * axes[0]);
-    let across = bounded_vec3(world_from_normal * axes[2]);
+    let along = world_from_normal * axes[0];
+    let across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, view: vec3f,
     magnification: f32, angle: f32) -> StretchedPlace {
-    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let height = 1.0 / clamp(magnification, 1e-15, 1e15);
     let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
     let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
     return mark_place_of(place, x, y, angle);
@@ -291,7 +260,7 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(120.0, 120.0 / max(viewport.y, 1.0), is_pixel);
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
     return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
@@ -329,9 +298,9 @@ fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
         * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let along = clamp(x * bitcast<f32>(u32(zoom + 127) << 23u) / 24.0, -1000000.0, 1e6) + own.x;
     let index = floor(along);
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(line, i32(index))) + (style.seed
-        + bitcast<u32>(zoom)) * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u))
-        * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(line, i32(index)))
+        + (style.seed + bitcast<u32>(zoom)) * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u))
+        >> vec3u(8u)) * 5.9604644775390625e-8;
     let from_end = min(along - index, 1.0 - (along - index));
     let slope = min(from_end / (0.5 * style.taper), 1.0);
     return Stroke(chance.x, slope * (2.0 - slope));
@@ -372,8 +341,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     let number = pow(ink, 0.75);
     let width = style.width * pow(ink, 0.25);
     let zoom = floor(level);
-    let stray = mix(stray_at(place, i32(zoom), style.seed), stray_at(place, i32(zoom) + 1,
-        style.seed), level - zoom);
+    let stray = mix(stray_at(place, i32(zoom), style.seed),
+        stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
     let across = place.y + style.wobble * stray;
     let density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     let octave = floor(density);
@@ -461,24 +430,27 @@ struct MarkPlace {
 
 /// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
-    let width = length(vec2f(min(footprint_of(x), 1e15), 75.0 * softness));
-    return clamp(0.5 + bounded(bounded(x) - 75.0) / width, 0.0, 1.0);
+    let width = length(vec2f(min(footprint_of(x), 1e15), limit * softness));
+    return clamp(0.5 + bounded(bounded(x) - limit) / width, 0.0, 1.0);
 }
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.35) / (1.0 + 0.35), 0.0);
     let tone_to_draw = mix(0.04, 1.0, min((light_and_shade - 0.0) / (0.85 - 0.0), 1.0));
-    let around_the_light = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    let pen_strokes = cross_hatched(spaced(around_the_light.place, around_the_light.stretch, look.viewport, 120.0), 1.0 - min(tone_to_draw, 1.0), 3i, 0.8, Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
-    let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    let contour = eased(facing, 0.34, 0.2);
+    let around_the_light = mark_place_light(look.key, surface.normal, 0.0, surface.view,
+        surface.position_object, surface.world_from_normal, surface.magnification);
+    let pen_strokes = cross_hatched(spaced(around_the_light.place, around_the_light.stretch,
+        look.viewport, 120.0), 1.0 - min(tone_to_draw, 1.0), 3i, 0.8,
+        Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
+    let contour = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.34, 0.2);
     let ink = max(pen_strokes, contour);
-    let features = faded_in(-principal_curvatures(tensor_safe(surface.curvature_tensor)).y, 75.0, 0.3) * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
+    let features = faded_in(-principal_curvatures(surface.curvature_tensor).y, 75.0, 0.3)
+        * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
     let strokes_and_features = max(ink, features);
-    let pen_on_paper = mix(vec4f(0.965, 0.937, 0.875, 1.0), vec4f(0.12, 0.105, 0.16, 1.0), strokes_and_features);
-    let output = pen_on_paper;
-    return output;
+    let pen_on_paper = mix(vec4f(0.965, 0.937, 0.875, 1.0), vec4f(0.12, 0.105, 0.16, 1.0),
+        strokes_and_features);
+    return pen_on_paper;
 }
 
 struct Vertex {
@@ -496,25 +468,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
-    surface.magnification = size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    surface.world_from_normal = object.world_from_normal;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz,
+        size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w,
+        length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))), object.world_from_normal);
+    return shade(surface);
 }

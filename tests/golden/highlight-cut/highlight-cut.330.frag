@@ -51,7 +51,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 const ProfileShape bite_shape = ProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
@@ -92,11 +91,6 @@ vec3 normalize_seen_balanced(vec3 v_2) {
     return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -129,13 +123,17 @@ float footprint_of(float x_1) {
 
 vec3 any_orthogonal(vec3 n) {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float a_1 = (-1.0 / (sign_ + n.z));
+    return vec3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+}
+
+Angle angle_between_directions(vec3 a, vec3 b) {
+    return Angle((0.5 * length((a - b))), (0.5 * length((a + b))));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y_1 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
-    return DirectionParts(direction, x_axis, y_1, vec2(dot(direction, x_axis), dot(direction, y_1)));
+    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -171,8 +169,7 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -231,53 +228,50 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 shadow = vec4((vec3(0.62, 0.16, 0.26) * mix(vec3(1.0), vec3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
-    vec3 normal_1 = surface_1.normal;
+    vec3 normal_1 = surface.normal;
     Light _e42 = u_look.key;
-    vec3 _e44 = half_vector(_e42, surface_1.view);
-    Angle from_the_highlight = Angle((0.5 * length((normal_1 - _e44))), (0.5 * length((normal_1 + _e44))));
-    float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
-    AxesAround _e61 = axes(_e44, vec3(0.0, 1.0, 0.0));
-    DirectionParts _e64 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
-    vec3 _e68 = direction_moved(_e64, vec2(-0.13, 0.13));
-    Angle from_beside_it = Angle((0.5 * length((_e68 - _e44))), (0.5 * length((_e68 + _e44))));
-    float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
-    float crescent = min(_e56, (1.0 - _e80));
-    DirectionParts _e86 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
-    vec3 _e90 = direction_moved(_e86, vec2(-0.06, 0.06));
-    Angle from_the_dot = Angle((0.5 * length((_e90 - _e44))), (0.5 * length((_e90 + _e44))));
-    float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
-    float crescent_and_dot = max(crescent, _e102);
-    vec4 _e111 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
-    Light _e114 = u_look.back;
-    float _e120 = rim(_e114, surface_1.normal, surface_1.view, 0.42, 0.08, 1.0);
-    float rim_in_the_dark_only = min(_e120, in_the_dark);
-    vec4 output_ = clamp(vec4((_e111.xyz + (0.6 * ((_e111.xyz + (rim_in_the_dark_only * vec3(1.0, 0.62, 0.5))) - _e111.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec3 _e44 = half_vector(_e42, surface.view);
+    Angle _e45 = angle_between_directions(normal_1, _e44);
+    float _e48 = profile_balanced_2_(_e45, 0.0, disc_shape);
+    AxesAround _e53 = axes(_e44, vec3(0.0, 1.0, 0.0));
+    DirectionParts _e56 = direction_within(normal_1, _e53.x_axis, _e53.y_axis);
+    vec3 _e60 = direction_moved(_e56, vec2(-0.13, 0.13));
+    Angle _e61 = angle_between_directions(_e60, _e44);
+    float _e64 = profile_balanced_2_(_e61, 0.0, bite_shape);
+    float crescent = min(_e48, (1.0 - _e64));
+    DirectionParts _e70 = direction_within(normal_1, _e53.x_axis, _e53.y_axis);
+    vec3 _e74 = direction_moved(_e70, vec2(-0.06, 0.06));
+    Angle _e75 = angle_between_directions(_e74, _e44);
+    float _e78 = profile_balanced_2_(_e75, 0.0, dot_shape);
+    float crescent_and_dot = max(crescent, _e78);
+    vec4 _e87 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    Light _e90 = u_look.back;
+    float _e96 = rim(_e90, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    float rim_in_the_dark_only = min(_e96, in_the_dark);
+    vec4 rim_s_light = clamp(vec4((_e87.xyz + (0.6 * ((_e87.xyz + (rim_in_the_dark_only * vec3(1.0, 0.62, 0.5))) - _e87.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return rim_s_light;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

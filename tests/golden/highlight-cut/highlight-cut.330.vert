@@ -33,7 +33,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 const ProfileShape bite_shape = ProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
@@ -50,18 +49,14 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.position = world.xyz;
-    mat3x3 _e19 = u_object.world_from_normal;
-    out_.normal = (_e19 * vertex.normal);
-    Varyings _e22 = out_;
-    gl_Position = _e22.clip;
-    v_position = _e22.position;
-    v_normal = _e22.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e15 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, (_e15 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_normal = _tmp_return.normal;
     return;
 }
 

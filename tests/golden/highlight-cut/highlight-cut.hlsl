@@ -100,7 +100,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape lit_side_shape = ConstructProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 static const ProfileShape disc_shape = ConstructProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 static const ProfileShape bite_shape = ConstructProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
@@ -154,12 +153,6 @@ float3 normalize_seen_balanced(float3 v_2)
     return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
@@ -206,8 +199,14 @@ float footprint_of(float x_1)
 float3 any_orthogonal(float3 n)
 {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float a_1 = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+}
+
+Angle angle_between_directions(float3 a, float3 b)
+{
+    const Angle angle_4 = ConstructAngle((0.5 * length((a - b))), (0.5 * length((a + b))));
+    return angle_4;
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -221,8 +220,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y_1 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_1, float2(dot(direction, x_axis), dot(direction, y_1)));
+    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
     return directionparts;
 }
 
@@ -273,8 +272,7 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -339,71 +337,76 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     float4 shadow = float4((float3(0.62, 0.16, 0.26) * lerp((1.0).xxx, float3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
-    float3 normal_3 = surface_1.normal;
+    float3 normal_3 = surface.normal;
     Light _e42 = look.key;
-    const float3 _e44 = half_vector(_e42, surface_1.view);
-    Angle from_the_highlight = ConstructAngle((0.5 * length((normal_3 - _e44))), (0.5 * length((normal_3 + _e44))));
-    const float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
-    const AxesAround _e61 = axes(_e44, float3(0.0, 1.0, 0.0));
-    const DirectionParts _e64 = direction_within(normal_3, _e61.x_axis, _e61.y_axis);
-    const float3 _e68 = direction_moved(_e64, float2(-0.13, 0.13));
-    Angle from_beside_it = ConstructAngle((0.5 * length((_e68 - _e44))), (0.5 * length((_e68 + _e44))));
-    const float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
-    float crescent = min(_e56, (1.0 - _e80));
-    const DirectionParts _e86 = direction_within(normal_3, _e61.x_axis, _e61.y_axis);
-    const float3 _e90 = direction_moved(_e86, float2(-0.06, 0.06));
-    Angle from_the_dot = ConstructAngle((0.5 * length((_e90 - _e44))), (0.5 * length((_e90 + _e44))));
-    const float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
-    float crescent_and_dot = max(crescent, _e102);
-    const float4 _e111 = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
-    Light _e114 = look.back;
-    const float _e120 = rim(_e114, surface_1.normal, surface_1.view, 0.42, 0.08, 1.0);
-    float rim_in_the_dark_only = min(_e120, in_the_dark);
-    float4 output = clamp(float4((_e111.xyz + (0.6 * ((_e111.xyz + (rim_in_the_dark_only * float3(1.0, 0.62, 0.5))) - _e111.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float3 _e44 = half_vector(_e42, surface.view);
+    const Angle _e45 = angle_between_directions(normal_3, _e44);
+    const float _e48 = profile_balanced_2_(_e45, 0.0, disc_shape);
+    const AxesAround _e53 = axes(_e44, float3(0.0, 1.0, 0.0));
+    const DirectionParts _e56 = direction_within(normal_3, _e53.x_axis, _e53.y_axis);
+    const float3 _e60 = direction_moved(_e56, float2(-0.13, 0.13));
+    const Angle _e61 = angle_between_directions(_e60, _e44);
+    const float _e64 = profile_balanced_2_(_e61, 0.0, bite_shape);
+    float crescent = min(_e48, (1.0 - _e64));
+    const DirectionParts _e70 = direction_within(normal_3, _e53.x_axis, _e53.y_axis);
+    const float3 _e74 = direction_moved(_e70, float2(-0.06, 0.06));
+    const Angle _e75 = angle_between_directions(_e74, _e44);
+    const float _e78 = profile_balanced_2_(_e75, 0.0, dot_shape);
+    float crescent_and_dot = max(crescent, _e78);
+    const float4 _e87 = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    Light _e90 = look.back;
+    const float _e96 = rim(_e90, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    float rim_in_the_dark_only = min(_e96, in_the_dark);
+    float4 rim_s_light = clamp(float4((_e87.xyz + (0.6 * ((_e87.xyz + (rim_in_the_dark_only * float3(1.0, 0.62, 0.5))) - _e87.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return rim_s_light;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

@@ -72,7 +72,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape lit_side_shape = ProfileShape {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
 constant ProfileShape disc_shape = ProfileShape {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
 constant ProfileShape bite_shape = ProfileShape {0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u};
@@ -113,13 +112,6 @@ metal::float3 normalize_seen_balanced(
     metal::float3 v_2
 ) {
     return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -166,8 +158,15 @@ metal::float3 any_orthogonal(
     metal::float3 n
 ) {
     float sign = (n.z >= 0.0) ? 1.0 : -1.0;
-    float a = -1.0 / (sign + n.z);
-    return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
+    float a_1 = -1.0 / (sign + n.z);
+    return metal::float3(1.0 + (((sign * n.x) * n.x) * a_1), ((sign * n.x) * n.y) * a_1, -(sign) * n.x);
+}
+
+Angle angle_between_directions(
+    metal::float3 a,
+    metal::float3 b
+) {
+    return Angle {0.5 * metal::length(a - b), 0.5 * metal::length(a + b)};
 }
 
 DirectionParts direction_within(
@@ -175,8 +174,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y_1 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y_1, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_1))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
 metal::float3 direction_moved(
@@ -233,8 +232,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -320,41 +318,41 @@ float rim(
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
     float side = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = 1.0 - _e22;
     metal::float4 shadow = metal::float4(metal::float3(0.62, 0.16, 0.26) * metal::mix(metal::float3(1.0), metal::float3(0.5, 0.33, 0.56), in_the_dark), 1.0);
-    metal::float3 normal_1 = surface_1.normal;
+    metal::float3 normal_1 = surface.normal;
     Light _e42 = look.key;
-    metal::float3 _e44 = half_vector(_e42, surface_1.view);
-    Angle from_the_highlight = Angle {0.5 * metal::length(normal_1 - _e44), 0.5 * metal::length(normal_1 + _e44)};
-    float _e56 = profile_balanced_2_(from_the_highlight, 0.0, disc_shape);
-    AxesAround _e61 = axes(_e44, metal::float3(0.0, 1.0, 0.0));
-    DirectionParts _e64 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
-    metal::float3 _e68 = direction_moved(_e64, metal::float2(-0.13, 0.13));
-    Angle from_beside_it = Angle {0.5 * metal::length(_e68 - _e44), 0.5 * metal::length(_e68 + _e44)};
-    float _e80 = profile_balanced_2_(from_beside_it, 0.0, bite_shape);
-    float crescent = metal::min(_e56, 1.0 - _e80);
-    DirectionParts _e86 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
-    metal::float3 _e90 = direction_moved(_e86, metal::float2(-0.06, 0.06));
-    Angle from_the_dot = Angle {0.5 * metal::length(_e90 - _e44), 0.5 * metal::length(_e90 + _e44)};
-    float _e102 = profile_balanced_2_(from_the_dot, 0.0, dot_shape);
-    float crescent_and_dot = metal::max(crescent, _e102);
-    Composite _e111 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
-    Light _e114 = look.back;
-    float _e120 = rim(_e114, surface_1.normal, surface_1.view, 0.42, 0.08, 1.0);
-    float rim_in_the_dark_only = metal::min(_e120, in_the_dark);
-    metal::float4 output = metal::clamp(metal::float4(_e111.xyz + (0.6 * ((_e111.xyz + (rim_in_the_dark_only * metal::float3(1.0, 0.62, 0.5))) - _e111.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    metal::float3 _e44 = half_vector(_e42, surface.view);
+    Angle _e45 = angle_between_directions(normal_1, _e44);
+    float _e48 = profile_balanced_2_(_e45, 0.0, disc_shape);
+    AxesAround _e53 = axes(_e44, metal::float3(0.0, 1.0, 0.0));
+    DirectionParts _e56 = direction_within(normal_1, _e53.x_axis, _e53.y_axis);
+    metal::float3 _e60 = direction_moved(_e56, metal::float2(-0.13, 0.13));
+    Angle _e61 = angle_between_directions(_e60, _e44);
+    float _e64 = profile_balanced_2_(_e61, 0.0, bite_shape);
+    float crescent = metal::min(_e48, 1.0 - _e64);
+    DirectionParts _e70 = direction_within(normal_1, _e53.x_axis, _e53.y_axis);
+    metal::float3 _e74 = direction_moved(_e70, metal::float2(-0.06, 0.06));
+    Angle _e75 = angle_between_directions(_e74, _e44);
+    float _e78 = profile_balanced_2_(_e75, 0.0, dot_shape);
+    float crescent_and_dot = metal::max(crescent, _e78);
+    Composite _e87 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    Light _e90 = look.back;
+    float _e96 = rim(_e90, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    float rim_in_the_dark_only = metal::min(_e96, in_the_dark);
+    metal::float4 rim_s_light = metal::clamp(metal::float4(_e87.xyz + (0.6 * ((_e87.xyz + (rim_in_the_dark_only * metal::float3(1.0, 0.62, 0.5))) - _e87.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return rim_s_light;
 }
 
 struct vs_mainInput {
@@ -372,16 +370,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_2.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_2.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -401,14 +394,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

@@ -62,7 +62,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -97,14 +96,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -145,6 +136,14 @@ fn any_orthogonal(n: vec3f) -> vec3f {
     let sign = select(-1.0, 1.0, n.z >= 0.0);
     let a = -1.0 / (sign + n.z);
     return vec3f(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
+}
+
+/// Angle between directions
+///
+/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and
+/// the normal, a hair's tangent and a light.
+fn angle_between_directions(a: vec3f, b: vec3f) -> Angle {
+    return Angle(0.5 * length(a - b), 0.5 * length(a + b));
 }
 
 /// A direction with the two axes along which it is bent.
@@ -211,8 +210,8 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -237,8 +236,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -302,9 +300,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
@@ -314,29 +312,35 @@ const dot_shape = ProfileShape(0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     let in_the_dark = 1.0 - lit_side;
-    let shadow = vec4f(vec4f(0.62, 0.16, 0.26, 1.0).xyz * mix(vec3f(1.0), vec4f(0.5, 0.33, 0.56, 1.0).xyz, in_the_dark), 1.0);
+    let shadow = vec4f(vec4f(0.62, 0.16, 0.26, 1.0).xyz
+        * mix(vec3f(1.0), vec4f(0.5, 0.33, 0.56, 1.0).xyz, in_the_dark), 1.0);
     let normal = surface.normal;
     let half = half_vector(look.key, surface.view);
-    let from_the_highlight = Angle(0.5 * length(normal - half), 0.5 * length(normal + half));
+    let from_the_highlight = angle_between_directions(normal, half);
     let disc = profile_balanced_2(from_the_highlight, 0.0, disc_shape);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
-    let aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), vec2f(-0.13, 0.13));
-    let from_beside_it = Angle(0.5 * length(aside - half), 0.5 * length(aside + half));
+    let aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis),
+        vec2f(-0.13, 0.13));
+    let from_beside_it = angle_between_directions(aside, half);
     let bite = profile_balanced_2(from_beside_it, 0.0, bite_shape);
     let crescent = min(disc, 1.0 - bite);
-    let dot_s_place = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), vec2f(-0.06, 0.06));
-    let from_the_dot = Angle(0.5 * length(dot_s_place - half), 0.5 * length(dot_s_place + half));
+    let dot_s_place = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis),
+        vec2f(-0.06, 0.06));
+    let from_the_dot = angle_between_directions(dot_s_place, half);
     let dot_2 = profile_balanced_2(from_the_dot, 0.0, dot_shape);
     let crescent_and_dot = max(crescent, dot_2);
-    let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96,
+        true);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.42, 0.08, 1.0);
     let rim_in_the_dark_only = min(rim_2, in_the_dark);
-    let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.6 * (highlight_on_top.xyz + rim_in_the_dark_only * vec4f(1.0, 0.62, 0.5, 1.0).xyz - highlight_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = rim_s_light;
-    return output;
+    let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.6
+        * (highlight_on_top.xyz + rim_in_the_dark_only * vec4f(1.0, 0.62, 0.5, 1.0).xyz
+        - highlight_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return rim_s_light;
 }
 
 struct Vertex {
@@ -353,20 +357,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

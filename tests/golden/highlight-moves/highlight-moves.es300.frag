@@ -102,7 +102,7 @@ vec3 normalize_or(vec3 v_1, vec3 otherwise) {
 }
 
 float exp2_stable(float x_1) {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = max(x_1, -126.0);
     float whole = roundEven(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -164,11 +164,6 @@ vec3 normalize_seen_balanced(vec3 v_3) {
     return (v_3 * inversesqrt(max(dot(v_3, v_3), 1e-30)));
 }
 
-float log2_one_minus(float y_2) {
-    float series = ((-(y_2) * LOG2_E) * (1.0 + (y_2 * (0.5 + (y_2 * (0.33333334 + (y_2 * (0.25 + (y_2 * 0.2)))))))));
-    return ((y_2 < 0.0625) ? series : log2(max((1.0 - y_2), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -192,24 +187,17 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
 vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_2 = floatBitsToUint(v_4);
-    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude_1, uvec3(2139095040u)));
+    uvec3 bits_1 = floatBitsToUint(v_4);
+    uvec3 magnitude = (bits_1 & uvec3(2147483647u));
+    vec3 largest_1 = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v_4, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of(float x_6) {
+    float _e1 = dFdx(x_6);
+    float _e2 = dFdy(x_6);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -221,22 +209,21 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
-    vec3 _e10 = normalize_or(x_axis, vec3(0.0));
-    vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
-}
-
-DirectionParts direction_within_2_(vec3 direction_1, vec3 x_axis_1, vec3 y_axis_1) {
-    vec3 y_5 = (y_axis_1 * inversesqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
-    return DirectionParts(direction_1, x_axis_1, y_5, vec2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
+    vec3 y_4 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_4, vec2(dot(direction, x_axis), dot(direction, y_4)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
     vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    vec3 _e18 = normalize_or(moved, parts.direction);
+    vec3 _e18 = normalize_moderate(moved, parts.direction);
     return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+}
+
+vec3 direction_moved_2_(DirectionParts parts_1, vec2 by_1) {
+    vec3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
+    vec3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -249,8 +236,8 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     return mat3x3(_e33, cross(toward, _e33), toward);
 }
 
-AxesAround axes(vec3 direction_2, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_2, up_1);
+AxesAround axes(vec3 direction_1, vec3 up_1) {
+    mat3x3 _e2 = axes_around(direction_1, up_1);
     return AxesAround(_e2[0], _e2[1]);
 }
 
@@ -261,37 +248,28 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_8, float y_3) {
-    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_7, float y_2) {
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_8, y_3), vec2(0.0))) * side));
+    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_7, y_2), vec2(0.0))) * side));
     return _e21;
 }
 
-vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amount, float sharpness) {
-    bool local = false;
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
-    float _e23 = bounded(sharpness);
-    float sharp = clamp(_e23, 1.0, 1024.0);
-    float _e29 = log1p_negative(aside_1);
-    float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
-    if ((square_3 > 1e-20)) {
-        local = (aside_1 < 1.0);
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner = (_e39 ? _e31 : 0.0);
-    vec3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e49;
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
+    float _e24 = log1p_negative(aside_1);
+    float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
+    float corner = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e26 : 0.0);
+    vec3 _e41 = direction_moved_2_(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
+    return _e41;
 }
 
-vec3 stretch_direction(vec3 direction_5, vec3 x_axis_4, vec3 y_axis_4, float x_9, float y_4) {
-    DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_9, y_4), vec2(1.0))) * _e5.place));
+vec3 stretch_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float x_8, float y_3) {
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_8, y_3), vec2(1.0))) * _e5.place));
     return _e13;
 }
 
@@ -302,8 +280,7 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -362,23 +339,21 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), follow));
 }
 
 vec3 rotate_vector(vec3 vector, vec3 axis, float angle_2) {
-    vec3 v_5 = vec3(0.0, 1.0, 0.0);
-    float _e7 = bounded(angle_2);
-    vec2 _e10 = sin_cos((0.5 * _e7));
-    vec2 half_2 = clamp(_e10, vec2(-1.0), vec2(1.0));
-    vec3 aside_3 = cross(axis, v_5);
-    vec3 _e28 = bounded_vec3_((v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
-    return _e28;
+    vec2 _e5 = sin_cos((0.5 * angle_2));
+    vec2 half_2 = clamp(_e5, vec2(-1.0), vec2(1.0));
+    vec3 aside_3 = cross(axis, vector);
+    vec3 _e23 = bounded_vec3_((vector + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
+    return _e23;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 _e27 = u_look.body;
@@ -386,13 +361,13 @@ vec4 shade(Surface surface_1) {
     vec4 _e43 = u_look.body;
     float _e50 = u_look.body.w;
     vec4 shadow = clamp(vec4((_e27.xyz + ((_e31.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz)), _e50), vec4(0.0), vec4(1.0));
-    vec3 normal_1 = surface_1.normal;
+    vec3 normal_1 = surface.normal;
     Light _e60 = u_look.key;
-    vec3 _e62 = half_vector(_e60, surface_1.view);
+    vec3 _e62 = half_vector(_e60, surface.view);
     float _e69 = u_look.turn_angle;
     vec3 _e70 = rotate_vector(vec3(0.0, 1.0, 0.0), _e62, _e69);
     AxesAround _e71 = axes(_e62, _e70);
-    DirectionParts _e74 = direction_within_2_(normal_1, _e71.x_axis, _e71.y_axis);
+    DirectionParts _e74 = direction_within(normal_1, _e71.x_axis, _e71.y_axis);
     float _e77 = u_look.move_x;
     float _e80 = u_look.move_y;
     vec3 _e82 = direction_moved(_e74, vec2(_e77, _e80));
@@ -408,7 +383,7 @@ vec4 shade(Surface surface_1) {
     float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
     vec4 _e127 = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
     Light _e130 = u_look.back;
-    float _e136 = rim(_e130, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
+    float _e136 = rim(_e130, surface.normal, surface.view, 0.3, 0.2, 1.0);
     vec4 rim_s_light = clamp(vec4((_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * vec3(0.55, 0.75, 1.0))) - _e127.xyz))), _e127.w), vec4(0.0), vec4(1.0));
     vec4 _e167 = finite_vec4_(((rim_s_light.w <= 0.0) ? rim_s_light : vec4((rim_s_light.xyz / vec3(rim_s_light.w)), rim_s_light.w)));
     return _e167;
@@ -417,17 +392,14 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    vec4 _e23 = finite_vec4_(_e22);
-    out_color = _e23;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    vec4 _e20 = finite_vec4_(_e19);
+    out_color = _e20;
     return;
 }
 

@@ -164,7 +164,7 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x_1)
 {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = max(x_1, -126.0);
     float whole = round(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -234,12 +234,6 @@ float3 normalize_seen_balanced(float3 v_3)
     return (v_3 * rsqrt(max(dot(v_3, v_3), 1e-30)));
 }
 
-float log2_one_minus(float y_2)
-{
-    float series = ((-(y_2) * LOG2_E) * (1.0 + (y_2 * (0.5 + (y_2 * (0.33333334 + (y_2 * (0.25 + (y_2 * 0.2)))))))));
-    return ((y_2 < 0.0625) ? series : log2(max((1.0 - y_2), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
@@ -275,27 +269,19 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_4;
 }
 
-float bounded(float x_6)
-{
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
 float3 bounded_vec3_(float3 v_4)
 {
-    uint3 bits_2 = asuint(v_4);
-    uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_4 : numbers);
+    uint3 bits_1 = asuint(v_4);
+    uint3 magnitude = (bits_1 & (2147483647u).xxx);
+    float3 largest_1 = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest_1 : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v_4 : numbers);
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_6)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_6);
+    float _e2 = ddy(x_6);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -318,26 +304,24 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
-    const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
-    const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
+    float3 y_4 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_4, float2(dot(direction, x_axis), dot(direction, y_4)));
     return directionparts;
-}
-
-DirectionParts direction_within_2_(float3 direction_1, float3 x_axis_1, float3 y_axis_1)
-{
-    float3 y_5 = (y_axis_1 * rsqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
-    const DirectionParts directionparts_1 = ConstructDirectionParts(direction_1, x_axis_1, y_5, float2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
-    return directionparts_1;
 }
 
 float3 direction_moved(DirectionParts parts, float2 by)
 {
     float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
     float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    const float3 _e18 = normalize_or(moved, parts.direction);
+    const float3 _e18 = normalize_moderate(moved, parts.direction);
     return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+}
+
+float3 direction_moved_2_(DirectionParts parts_1, float2 by_1)
+{
+    float3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
+    const float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -358,9 +342,9 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_2, float3 up_1)
+AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e2 = axes_around(direction_2, up_1);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
     const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
@@ -373,41 +357,31 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_8, float y_3)
+float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_7, float y_2)
 {
-    const DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_8, y_3), (0.0).xx)) * side));
+    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_7, y_2), (0.0).xx)) * side));
     return _e21;
 }
 
-float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float amount, float sharpness)
+float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
 {
-    bool local = (bool)0;
-
-    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
-    const float _e23 = bounded(sharpness);
-    float sharp = clamp(_e23, 1.0, 1024.0);
-    const float _e29 = log1p_negative(aside_1);
-    const float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
-    if ((square_3 > 1e-20)) {
-        local = (aside_1 < 1.0);
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner = (_e39 ? _e31 : 0.0);
-    const float3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e49;
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
+    const float _e24 = log1p_negative(aside_1);
+    const float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
+    float corner = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e26 : 0.0);
+    const float3 _e41 = direction_moved_2_(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
+    return _e41;
 }
 
-float3 stretch_direction(float3 direction_5, float3 x_axis_4, float3 y_axis_4, float x_9, float y_4)
+float3 stretch_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float x_8, float y_3)
 {
-    const DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_9, y_4), (1.0).xx)) * _e5.place));
+    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_8, y_3), (1.0).xx)) * _e5.place));
     return _e13;
 }
 
@@ -420,8 +394,7 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -486,25 +459,23 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), follow));
 }
 
 float3 rotate_vector(float3 vector_, float3 axis, float angle_2)
 {
-    float3 v_5 = float3(0.0, 1.0, 0.0);
-    const float _e7 = bounded(angle_2);
-    const float2 _e10 = sin_cos((0.5 * _e7));
-    float2 half_2 = clamp(_e10, (-1.0).xx, (1.0).xx);
-    float3 aside_3 = cross(axis, v_5);
-    const float3 _e28 = bounded_vec3_((v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
-    return _e28;
+    const float2 _e5 = sin_cos((0.5 * angle_2));
+    float2 half_2 = clamp(_e5, (-1.0).xx, (1.0).xx);
+    float3 aside_3 = cross(axis, vector_);
+    const float3 _e23 = bounded_vec3_((vector_ + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
+    return _e23;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = (1.0 - _e22);
     float4 _e27 = look.body;
@@ -512,13 +483,13 @@ float4 shade(Surface surface_1)
     float4 _e43 = look.body;
     float _e50 = look.body.w;
     float4 shadow = clamp(float4((_e27.xyz + ((_e31.xyz * lerp((1.0).xxx, float3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz)), _e50), (0.0).xxxx, (1.0).xxxx);
-    float3 normal_3 = surface_1.normal;
+    float3 normal_3 = surface.normal;
     Light _e60 = look.key;
-    const float3 _e62 = half_vector(_e60, surface_1.view);
+    const float3 _e62 = half_vector(_e60, surface.view);
     float _e69 = look.turn_angle;
     const float3 _e70 = rotate_vector(float3(0.0, 1.0, 0.0), _e62, _e69);
     const AxesAround _e71 = axes(_e62, _e70);
-    const DirectionParts _e74 = direction_within_2_(normal_3, _e71.x_axis, _e71.y_axis);
+    const DirectionParts _e74 = direction_within(normal_3, _e71.x_axis, _e71.y_axis);
     float _e77 = look.move_x;
     float _e80 = look.move_y;
     const float3 _e82 = direction_moved(_e74, float2(_e77, _e80));
@@ -534,43 +505,48 @@ float4 shade(Surface surface_1)
     const float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
     const float4 _e127 = blend_alpha(shadow, float4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
     Light _e130 = look.back;
-    const float _e136 = rim(_e130, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
+    const float _e136 = rim(_e130, surface.normal, surface.view, 0.3, 0.2, 1.0);
     float4 rim_s_light = clamp(float4((_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * float3(0.55, 0.75, 1.0))) - _e127.xyz))), _e127.w), (0.0).xxxx, (1.0).xxxx);
     const float4 _e167 = finite_vec4_(((rim_s_light.w <= 0.0) ? rim_s_light : float4((rim_s_light.xyz / (rim_s_light.w).xxx), rim_s_light.w)));
     return _e167;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    const float4 _e23 = finite_vec4_(_e22);
-    return _e23;
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    const float4 _e20 = finite_vec4_(_e19);
+    return _e20;
 }

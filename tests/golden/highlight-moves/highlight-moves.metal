@@ -124,7 +124,7 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x_1
 ) {
-    float clamped_1 = metal::clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = metal::max(x_1, -126.0);
     float whole = metal::rint(clamped_1);
     float f = clamped_1 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
@@ -203,13 +203,6 @@ metal::float3 normalize_seen_balanced(
     return v_3 * metal::rsqrt(metal::max(metal::dot(v_3, v_3), 0.000000000000000000000000000001));
 }
 
-float log2_one_minus(
-    float y_2
-) {
-    float series = (-(y_2) * LOG2_E) * (1.0 + (y_2 * (0.5 + (y_2 * (0.33333334 + (y_2 * (0.25 + (y_2 * 0.2))))))));
-    return (y_2 < 0.0625) ? series : metal::log2(metal::max(1.0 - y_2, 0.0000000000000000000000000000007888609));
-}
-
 float angle_footprint(
     Angle u
 ) {
@@ -241,30 +234,21 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-float bounded(
-    float x_6
-) {
-    uint bits_1 = as_type<uint>(x_6);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
-}
-
 metal::float3 bounded_vec3_(
     metal::float3 v_4
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_4);
-    metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_4, magnitude_1 < metal::uint3(2139095040u));
+    metal::uint3 bits_1 = as_type<metal::uint3>(v_4);
+    metal::uint3 magnitude = bits_1 & metal::uint3(2147483647u);
+    metal::float3 largest_1 = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest_1, magnitude == metal::uint3(2139095040u));
+    return metal::select(numbers, v_4, magnitude < metal::uint3(2139095040u));
 }
 
 float footprint_of(
-    float x_7
+    float x_6
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_6);
+    float _e2 = metal::dfdy(x_6);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -282,19 +266,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
-    metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
-    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
-}
-
-DirectionParts direction_within_2_(
-    metal::float3 direction_1,
-    metal::float3 x_axis_1,
-    metal::float3 y_axis_1
-) {
-    metal::float3 y_5 = y_axis_1 * metal::rsqrt(metal::max(metal::dot(y_axis_1, y_axis_1), 0.000000000000000000000000000001));
-    return DirectionParts {direction_1, x_axis_1, y_5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, y_5))};
+    metal::float3 y_4 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y_4, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_4))};
 }
 
 metal::float3 direction_moved(
@@ -303,8 +276,17 @@ metal::float3 direction_moved(
 ) {
     metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
     metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
-    metal::float3 _e18 = normalize_or(moved, parts.direction);
+    metal::float3 _e18 = normalize_moderate(moved, parts.direction);
     return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
+}
+
+metal::float3 direction_moved_2_(
+    DirectionParts parts_1,
+    metal::float2 by_1
+) {
+    metal::float3 moved_1 = (parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis);
+    metal::float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return (metal::dot(moved_1, moved_1) > 0.000001) ? _e13 : parts_1.direction;
 }
 
 metal::float3x3 axes_around(
@@ -321,10 +303,10 @@ metal::float3x3 axes_around(
 }
 
 AxesAround axes(
-    metal::float3 direction_2,
+    metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e2 = axes_around(direction_2, up_1);
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
     return AxesAround {_e2[0], _e2[1]};
 }
 
@@ -339,54 +321,45 @@ metal::float3 half_vector(
 }
 
 metal::float3 split_direction(
-    metal::float3 direction_3,
-    metal::float3 x_axis_2,
-    metal::float3 y_axis_2,
-    float x_8,
-    float y_3
+    metal::float3 direction_2,
+    metal::float3 x_axis_1,
+    metal::float3 y_axis_1,
+    float x_7,
+    float y_2
 ) {
-    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_8, y_3), metal::float2(0.0))) * side);
+    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_7, y_2), metal::float2(0.0))) * side);
     return _e21;
 }
 
 metal::float3 square_direction(
-    metal::float3 direction_4,
-    metal::float3 x_axis_3,
-    metal::float3 y_axis_3,
+    metal::float3 direction_3,
+    metal::float3 x_axis_2,
+    metal::float3 y_axis_2,
     float amount,
     float sharpness
 ) {
-    bool local = {};
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::clamp((apart * apart) / metal::max(square_3, 0.00000000000000000001), 0.0, 1.0);
-    float _e23 = bounded(sharpness);
-    float sharp = metal::clamp(_e23, 1.0, 1024.0);
-    float _e29 = log1p_negative(aside_1);
-    float _e31 = exp2_stable((sharp * LOG2_E) * _e29);
-    if (square_3 > 0.00000000000000000001) {
-        local = aside_1 < 1.0;
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner = _e39 ? _e31 : 0.0;
-    metal::float3 _e49 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner) * _e5.place);
-    return _e49;
+    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
+    float _e24 = log1p_negative(aside_1);
+    float _e26 = exp2_stable((sharpness * LOG2_E) * _e24);
+    float corner = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e26 : 0.0;
+    metal::float3 _e41 = direction_moved_2_(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner) * _e5.place);
+    return _e41;
 }
 
 metal::float3 stretch_direction(
-    metal::float3 direction_5,
-    metal::float3 x_axis_4,
-    metal::float3 y_axis_4,
-    float x_9,
-    float y_4
+    metal::float3 direction_4,
+    metal::float3 x_axis_3,
+    metal::float3 y_axis_3,
+    float x_8,
+    float y_3
 ) {
-    DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
-    metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_9, y_4), metal::float2(1.0))) * _e5.place);
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_8, y_3), metal::float2(1.0))) * _e5.place);
     return _e13;
 }
 
@@ -406,8 +379,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -493,7 +465,7 @@ float rim(
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
     float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), follow);
 }
 
 metal::float3 rotate_vector(
@@ -501,22 +473,20 @@ metal::float3 rotate_vector(
     metal::float3 axis,
     float angle_2
 ) {
-    metal::float3 v_5 = metal::float3(0.0, 1.0, 0.0);
-    float _e7 = bounded(angle_2);
-    metal::float2 _e10 = sin_cos(0.5 * _e7);
-    metal::float2 half_2 = metal::clamp(_e10, metal::float2(-1.0), metal::float2(1.0));
-    metal::float3 aside_3 = metal::cross(axis, v_5);
-    metal::float3 _e28 = bounded_vec3_(v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * metal::cross(axis, aside_3)))));
-    return _e28;
+    metal::float2 _e5 = sin_cos(0.5 * angle_2);
+    metal::float2 half_2 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
+    metal::float3 aside_3 = metal::cross(axis, vector);
+    metal::float3 _e23 = bounded_vec3_(vector + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * metal::cross(axis, aside_3)))));
+    return _e23;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     float in_the_dark = 1.0 - _e22;
     metal::float4 _e27 = look.body;
@@ -524,13 +494,13 @@ metal::float4 shade(
     metal::float4 _e43 = look.body;
     float _e50 = look.body.w;
     metal::float4 shadow = metal::clamp(metal::float4(_e27.xyz + ((_e31.xyz * metal::mix(metal::float3(1.0), metal::float3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz), _e50), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 normal_1 = surface_1.normal;
+    metal::float3 normal_1 = surface.normal;
     Light _e60 = look.key;
-    metal::float3 _e62 = half_vector(_e60, surface_1.view);
+    metal::float3 _e62 = half_vector(_e60, surface.view);
     float _e69 = look.turn_angle;
     metal::float3 _e70 = rotate_vector(metal::float3(0.0, 1.0, 0.0), _e62, _e69);
     AxesAround _e71 = axes(_e62, _e70);
-    DirectionParts _e74 = direction_within_2_(normal_1, _e71.x_axis, _e71.y_axis);
+    DirectionParts _e74 = direction_within(normal_1, _e71.x_axis, _e71.y_axis);
     float _e77 = look.move_x;
     float _e80 = look.move_y;
     metal::float3 _e82 = direction_moved(_e74, metal::float2(_e77, _e80));
@@ -546,7 +516,7 @@ metal::float4 shade(
     float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
     Composite _e127 = blend_alpha(shadow, metal::float4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
     Light _e130 = look.back;
-    float _e136 = rim(_e130, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
+    float _e136 = rim(_e130, surface.normal, surface.view, 0.3, 0.2, 1.0);
     metal::float4 rim_s_light = metal::clamp(metal::float4(_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * metal::float3(0.55, 0.75, 1.0))) - _e127.xyz)), _e127.w), metal::float4(0.0), metal::float4(1.0));
     metal::float4 _e167 = finite_vec4_((rim_s_light.w <= 0.0) ? rim_s_light : metal::float4(rim_s_light.xyz / metal::float3(rim_s_light.w), rim_s_light.w));
     return _e167;
@@ -567,16 +537,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_2.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_2.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -596,15 +561,12 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    metal::float4 _e23 = finite_vec4_(_e22);
-    return fs_mainOutput { _e23 };
+    metal::float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    metal::float4 _e20 = finite_vec4_(_e19);
+    return fs_mainOutput { _e20 };
 }

@@ -106,12 +106,12 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -191,14 +191,6 @@ fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -224,15 +216,6 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
-}
-
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
 /// [`bounded`], component by component.
@@ -270,26 +253,23 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
-    let x = normalize_or(x_axis, vec3f(0.0));
-    let y = normalize_or(y_axis, vec3f(0.0));
-    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
-}
-
-/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
-/// without one is +z.
-fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
     let y = y_axis * inverseSqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
-    // Farther than a million the direction lies along the axis.
-    let step = clamp(by, vec2f(-1e6), vec2f(1e6));
+    let step = clamp(by, vec2f(-1000000.0), vec2f(1000000.0));
     let moved = parts.direction + step.x * parts.x_axis + step.y * parts.y_axis;
-    // The direction of a sum of nearly 0 would be rounding's.
-    return select(parts.direction, normalize_or(moved, parts.direction), dot(moved, moved) > 1e-6);
+    return select(parts.direction, normalize_moderate(moved, parts.direction), dot(moved, moved)
+        > 1e-6);
+}
+
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
+fn direction_moved_2(parts: DirectionParts, by: vec2f) -> vec3f {
+    let moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
+    return select(parts.direction, normalize_moderate(moved, parts.direction), dot(moved, moved)
+        > 1e-6);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -336,7 +316,7 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 /// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
 /// panes in an eye.
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within_2(direction, x_axis, y_axis);
+    let bent = direction_within(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
     return direction_moved(bent, -max(vec2f(x, y), vec2f(0.0)) * side);
 }
@@ -344,18 +324,15 @@ fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f3
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
-    sharpness: f32) -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32)
+    -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
-    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
-    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
-    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
-    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
-    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
-        && aside < 1.0);
-    return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
+    let aside = min(apart * apart / max(square, 1e-20), 1.0);
+    let corner = select(0.0, exp2_stable(sharpness * LOG2_E * log1p_negative(aside)),
+        (square > 1e-20) & (aside < 1.0));
+    return direction_moved_2(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
 /// Stretch direction
@@ -363,15 +340,15 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
 /// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and
 /// brushed metal.
 fn stretch_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within_2(direction, x_axis, y_axis);
+    let bent = direction_within(direction, x_axis, y_axis);
     return direction_moved(bent, -min(vec2f(x, y), vec2f(1.0)) * bent.place);
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
     let alpha = below.w + tone * opacity * (1.0 - below.w);
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), alpha), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), alpha), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -396,8 +373,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -461,19 +437,18 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// Rotate vector
 ///
 /// Turns a vector about an axis, counter-clockwise as the axis points at you.
 fn rotate_vector(vector: vec3f, axis: vec3f, angle: f32) -> vec3f {
-    let v = vec3f(0.0, 1.0, 0.0);
-    let half = clamp(sin_cos(0.5 * bounded(angle)), vec2f(-1.0), vec2f(1.0));
-    let aside = cross(axis, v);
-    return bounded_vec3(v + 2.0 * half.x * (half.y * aside + half.x * cross(axis, aside)));
+    let half = clamp(sin_cos(0.5 * angle), vec2f(-1.0), vec2f(1.0));
+    let aside = cross(axis, vector);
+    return bounded_vec3(vector + 2.0 * half.x * (half.y * aside + half.x * cross(axis, aside)));
 }
 
 const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
@@ -481,24 +456,34 @@ const highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     let in_the_dark = 1.0 - lit_side;
-    let shadow = clamp(vec4f(look.body.xyz + (look.body.xyz * mix(vec3f(1.0), vec4f(0.45, 0.36, 0.62, 1.0).xyz, in_the_dark) - look.body.xyz), look.body.w), vec4f(0.0), vec4f(1.0));
+    let shadow = clamp(vec4f(look.body.xyz
+        + (look.body.xyz * mix(vec3f(1.0), vec4f(0.45, 0.36, 0.62, 1.0).xyz, in_the_dark)
+        - look.body.xyz), look.body.w), vec4f(0.0), vec4f(1.0));
     let normal = surface.normal;
     let half = half_vector(look.key, surface.view);
     let turn = rotate_vector(vec3f(0.0, 1.0, 0.0), half, look.turn_angle);
     let axes_of_the_highlight = axes(half, turn);
-    let move_2 = direction_moved(direction_within_2(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), vec2f(look.move_x, look.move_y));
-    let stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
-    let split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.split_x, look.split_y);
-    let square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.square_amount, 4.0);
+    let move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis), vec2f(look.move_x, look.move_y));
+    let stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
+    let split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis,
+        look.split_x, look.split_y);
+    let square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis,
+        look.square_amount, 4.0);
     let from_the_highlight = Angle(0.5 * length(square - half), 0.5 * length(square + half));
     let highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
     let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
-    let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.5 * (highlight_on_top.xyz + rim_2 * vec4f(0.55, 0.75, 1.0, 1.0).xyz - highlight_on_top.xyz), highlight_on_top.w), vec4f(0.0), vec4f(1.0));
-    let output = finite_vec4(select(vec4f(rim_s_light.xyz / rim_s_light.w, rim_s_light.w), rim_s_light, rim_s_light.w <= 0.0));
+    let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.5
+        * (highlight_on_top.xyz + rim_2 * vec4f(0.55, 0.75, 1.0, 1.0).xyz - highlight_on_top.xyz),
+        highlight_on_top.w), vec4f(0.0), vec4f(1.0));
+    let output = finite_vec4(select(vec4f(rim_s_light.xyz / rim_s_light.w, rim_s_light.w),
+        rim_s_light, rim_s_light.w <= 0.0));
     return output;
 }
 
@@ -516,20 +501,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return finite_vec4(shade(surface));
 }

@@ -91,7 +91,7 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 }
 
 float exp2_stable(float x_1) {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = max(x_1, -126.0);
     float whole = roundEven(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -189,24 +189,17 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-float angle_of_point(float y_3, float x_7) {
-    vec2 p = abs(vec2(x_7, y_3));
+float angle_of_point(float y_3, float x_6) {
+    vec2 p = abs(vec2(x_6, y_3));
     vec2 scaled_1 = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_2 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
+    float turned_2 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
     return ((y_3 < 0.0) ? -(turned_2) : turned_2);
 }
 
-float footprint_of(float x_8) {
-    float _e1 = dFdx(x_8);
-    float _e2 = dFdy(x_8);
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -218,28 +211,14 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
-    vec3 _e10 = normalize_or(x_axis, vec3(0.0));
-    vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
-}
-
-DirectionParts direction_within_2_(vec3 direction_1, vec3 x_axis_1, vec3 y_axis_1) {
-    vec3 y_5 = (y_axis_1 * inversesqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
-    return DirectionParts(direction_1, x_axis_1, y_5, vec2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
+    vec3 y_5 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_5, vec2(dot(direction, x_axis), dot(direction, y_5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
-    vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
-    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    vec3 _e18 = normalize_or(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
-}
-
-vec3 direction_moved_2_(DirectionParts parts_1, vec2 by_1) {
-    vec3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
-    vec3 _e13 = normalize_moderate(moved_1, parts_1.direction);
-    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
+    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 _e13 = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -262,8 +241,8 @@ float star_reach(float turn, float rays, float inner, float round_) {
     return mix(straight, 1.0, round_);
 }
 
-AxesAround axes(vec3 direction_2, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_2, up_1);
+AxesAround axes(vec3 direction_1, vec3 up_1) {
+    mat3x3 _e2 = axes_around(direction_1, up_1);
     return AxesAround(_e2[0], _e2[1]);
 }
 
@@ -274,36 +253,27 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_9, float y_4) {
-    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_8, float y_4) {
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e18 = direction_moved_2_(_e5, (-(vec2(x_9, y_4)) * side));
+    vec3 _e18 = direction_moved(_e5, (-(vec2(x_8, y_4)) * side));
     return _e18;
 }
 
-vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amount, float sharpness) {
-    bool local = false;
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
-    float _e23 = bounded(sharpness);
-    float sharp = clamp(_e23, 1.0, 1024.0);
-    float _e29 = log1p_negative(aside_1);
-    float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
-    if ((square_3 > 1e-20)) {
-        local = (aside_1 < 1.0);
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner_1 = (_e39 ? _e31 : 0.0);
-    vec3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place));
-    return _e49;
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
+    float _e24 = log1p_negative(aside_1);
+    float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
+    float corner_1 = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e26 : 0.0);
+    vec3 _e38 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
+    return _e38;
 }
 
-Angle star_angle(vec3 direction_5, vec3 middle, vec3 x_axis_4, vec3 y_axis_4, int rays_1, float inner_1, float round_1, float turn_1) {
-    DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
+Angle star_angle(vec3 direction_4, vec3 middle, vec3 x_axis_3, vec3 y_axis_3, int rays_1, float inner_1, float round_1, float turn_1) {
+    DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
     Angle u_3 = Angle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);
@@ -348,50 +318,46 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), follow));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = (1.0 - _e22);
     vec4 shadow = min(vec4((vec3(0.83, 0.19, 0.18) * mix(vec3(1.0), vec3(0.52, 0.25, 0.46), in_the_dark)), 1.0), vec4(1.0));
-    vec3 normal_1 = surface_1.normal;
-    Light _e45 = u_look.key;
-    vec3 _e47 = half_vector(_e45, surface_1.view);
-    AxesAround _e52 = axes(_e47, vec3(0.0, 1.0, 0.0));
-    vec3 _e57 = split_direction(normal_1, _e52.x_axis, _e52.y_axis, 0.15, 0.15);
-    vec3 _e62 = square_direction(_e57, _e52.x_axis, _e52.y_axis, 0.3, 4.0);
-    Angle window_angle = Angle((0.5 * length((_e62 - _e47))), (0.5 * length((_e62 + _e47))));
+    Light _e44 = u_look.key;
+    vec3 _e46 = half_vector(_e44, surface.view);
+    AxesAround _e51 = axes(_e46, vec3(0.0, 1.0, 0.0));
+    vec3 _e57 = split_direction(surface.normal, _e51.x_axis, _e51.y_axis, 0.15, 0.15);
+    vec3 _e62 = square_direction(_e57, _e51.x_axis, _e51.y_axis, 0.3, 4.0);
+    Angle window_angle = Angle((0.5 * length((_e62 - _e46))), (0.5 * length((_e62 + _e46))));
     float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
     vec4 _e82 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
     Light _e85 = u_look.spark;
-    vec3 _e87 = half_vector(_e85, surface_1.view);
+    vec3 _e87 = half_vector(_e85, surface.view);
     AxesAround _e92 = axes(_e87, vec3(0.0, 1.0, 0.0));
-    Angle _e100 = star_angle(surface_1.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
+    Angle _e100 = star_angle(surface.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
     float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
     vec4 spark_s_light = clamp(vec4((_e82.xyz + (_e103 * (vec3(1.0, 0.83, 0.42) - _e82.xyz))), 1.0), vec4(0.0), vec4(1.0));
     Light _e122 = u_look.back;
-    float _e128 = rim(_e122, surface_1.normal, surface_1.view, 0.38, 0.15, 1.0);
-    vec4 output_ = clamp(vec4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * vec3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e128 = rim(_e122, surface.normal, surface.view, 0.38, 0.15, 1.0);
+    vec4 rim_s_light = clamp(vec4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * vec3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return rim_s_light;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

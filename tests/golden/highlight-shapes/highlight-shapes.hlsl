@@ -152,7 +152,7 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x_1)
 {
-    float clamped_1 = clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = max(x_1, -126.0);
     float whole = round(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -272,27 +272,19 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_4;
 }
 
-float bounded(float x_6)
+float angle_of_point(float y_3, float x_6)
 {
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-float angle_of_point(float y_3, float x_7)
-{
-    float2 p = abs(float2(x_7, y_3));
+    float2 p = abs(float2(x_6, y_3));
     float2 scaled_1 = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     const float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_2 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
+    float turned_2 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
     return ((y_3 < 0.0) ? -(turned_2) : turned_2);
 }
 
-float footprint_of(float x_8)
+float footprint_of(float x_7)
 {
-    float _e1 = ddx(x_8);
-    float _e2 = ddy(x_8);
+    float _e1 = ddx(x_7);
+    float _e2 = ddy(x_7);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -315,33 +307,16 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
-    const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
-    const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
+    float3 y_5 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_5, float2(dot(direction, x_axis), dot(direction, y_5)));
     return directionparts;
-}
-
-DirectionParts direction_within_2_(float3 direction_1, float3 x_axis_1, float3 y_axis_1)
-{
-    float3 y_5 = (y_axis_1 * rsqrt(max(dot(y_axis_1, y_axis_1), 1e-30)));
-    const DirectionParts directionparts_1 = ConstructDirectionParts(direction_1, x_axis_1, y_5, float2(dot(direction_1, x_axis_1), dot(direction_1, y_5)));
-    return directionparts_1;
 }
 
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
-    float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    const float3 _e18 = normalize_or(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
-}
-
-float3 direction_moved_2_(DirectionParts parts_1, float2 by_1)
-{
-    float3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
-    const float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
-    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
+    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    const float3 _e13 = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -373,9 +348,9 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_2, float3 up_1)
+AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e2 = axes_around(direction_2, up_1);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
     const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
@@ -388,40 +363,30 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_9, float y_4)
+float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_8, float y_4)
 {
-    const DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e18 = direction_moved_2_(_e5, (-(float2(x_9, y_4)) * side));
+    const float3 _e18 = direction_moved(_e5, (-(float2(x_8, y_4)) * side));
     return _e18;
 }
 
-float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float amount, float sharpness)
+float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
 {
-    bool local = (bool)0;
-
-    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
-    const float _e23 = bounded(sharpness);
-    float sharp = clamp(_e23, 1.0, 1024.0);
-    const float _e29 = log1p_negative(aside_1);
-    const float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
-    if ((square_3 > 1e-20)) {
-        local = (aside_1 < 1.0);
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner_1 = (_e39 ? _e31 : 0.0);
-    const float3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place));
-    return _e49;
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
+    const float _e24 = log1p_negative(aside_1);
+    const float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
+    float corner_1 = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e26 : 0.0);
+    const float3 _e38 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
+    return _e38;
 }
 
-Angle star_angle(float3 direction_5, float3 middle, float3 x_axis_4, float3 y_axis_4, int rays_1, float inner_1, float round_1, float turn_1)
+Angle star_angle(float3 direction_4, float3 middle, float3 x_axis_3, float3 y_axis_3, int rays_1, float inner_1, float round_1, float turn_1)
 {
-    const DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
+    const DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
     Angle u_3 = ConstructAngle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     const float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);
@@ -472,68 +437,72 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), follow));
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = (1.0 - _e22);
     float4 shadow = min(float4((float3(0.83, 0.19, 0.18) * lerp((1.0).xxx, float3(0.52, 0.25, 0.46), in_the_dark)), 1.0), (1.0).xxxx);
-    float3 normal_3 = surface_1.normal;
-    Light _e45 = look.key;
-    const float3 _e47 = half_vector(_e45, surface_1.view);
-    const AxesAround _e52 = axes(_e47, float3(0.0, 1.0, 0.0));
-    const float3 _e57 = split_direction(normal_3, _e52.x_axis, _e52.y_axis, 0.15, 0.15);
-    const float3 _e62 = square_direction(_e57, _e52.x_axis, _e52.y_axis, 0.3, 4.0);
-    Angle window_angle = ConstructAngle((0.5 * length((_e62 - _e47))), (0.5 * length((_e62 + _e47))));
+    Light _e44 = look.key;
+    const float3 _e46 = half_vector(_e44, surface.view);
+    const AxesAround _e51 = axes(_e46, float3(0.0, 1.0, 0.0));
+    const float3 _e57 = split_direction(surface.normal, _e51.x_axis, _e51.y_axis, 0.15, 0.15);
+    const float3 _e62 = square_direction(_e57, _e51.x_axis, _e51.y_axis, 0.3, 4.0);
+    Angle window_angle = ConstructAngle((0.5 * length((_e62 - _e46))), (0.5 * length((_e62 + _e46))));
     const float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
     const float4 _e82 = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
     Light _e85 = look.spark;
-    const float3 _e87 = half_vector(_e85, surface_1.view);
+    const float3 _e87 = half_vector(_e85, surface.view);
     const AxesAround _e92 = axes(_e87, float3(0.0, 1.0, 0.0));
-    const Angle _e100 = star_angle(surface_1.normal, _e87, _e92.x_axis, _e92.y_axis, int(4), 0.28, 0.0, 0.3);
+    const Angle _e100 = star_angle(surface.normal, _e87, _e92.x_axis, _e92.y_axis, int(4), 0.28, 0.0, 0.3);
     const float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
     float4 spark_s_light = clamp(float4((_e82.xyz + (_e103 * (float3(1.0, 0.83, 0.42) - _e82.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     Light _e122 = look.back;
-    const float _e128 = rim(_e122, surface_1.normal, surface_1.view, 0.38, 0.15, 1.0);
-    float4 output = clamp(float4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * float3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e128 = rim(_e122, surface.normal, surface.view, 0.38, 0.15, 1.0);
+    float4 rim_s_light = clamp(float4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * float3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return rim_s_light;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float3 normal_3 = (is_front ? _e3 : -(_e3));
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

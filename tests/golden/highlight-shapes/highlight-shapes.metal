@@ -111,7 +111,7 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x_1
 ) {
-    float clamped_1 = metal::clamp(x_1, -126.0, 127.99999);
+    float clamped_1 = metal::max(x_1, -126.0);
     float whole = metal::rint(clamped_1);
     float f = clamped_1 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
@@ -237,31 +237,22 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-float bounded(
-    float x_6
-) {
-    uint bits_1 = as_type<uint>(x_6);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
-}
-
 float angle_of_point(
     float y_3,
-    float x_7
+    float x_6
 ) {
-    metal::float2 p = metal::abs(metal::float2(x_7, y_3));
+    metal::float2 p = metal::abs(metal::float2(x_6, y_3));
     metal::float2 scaled_1 = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_2 = (x_7 < 0.0) ? (PI - _e14) : _e14;
+    float turned_2 = (x_6 < 0.0) ? (PI - _e14) : _e14;
     return (y_3 < 0.0) ? -(turned_2) : turned_2;
 }
 
 float footprint_of(
-    float x_8
+    float x_7
 ) {
-    float _e1 = metal::dfdx(x_8);
-    float _e2 = metal::dfdy(x_8);
+    float _e1 = metal::dfdx(x_7);
+    float _e2 = metal::dfdy(x_7);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -279,38 +270,17 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
-    metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
-    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
-}
-
-DirectionParts direction_within_2_(
-    metal::float3 direction_1,
-    metal::float3 x_axis_1,
-    metal::float3 y_axis_1
-) {
-    metal::float3 y_5 = y_axis_1 * metal::rsqrt(metal::max(metal::dot(y_axis_1, y_axis_1), 0.000000000000000000000000000001));
-    return DirectionParts {direction_1, x_axis_1, y_5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, y_5))};
+    metal::float3 y_5 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y_5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_5))};
 }
 
 metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
-    metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
-    metal::float3 _e18 = normalize_or(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
-}
-
-metal::float3 direction_moved_2_(
-    DirectionParts parts_1,
-    metal::float2 by_1
-) {
-    metal::float3 moved_1 = (parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis);
-    metal::float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
-    return (metal::dot(moved_1, moved_1) > 0.000001) ? _e13 : parts_1.direction;
+    metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
+    metal::float3 _e13 = normalize_moderate(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? _e13 : parts.direction;
 }
 
 metal::float3x3 axes_around(
@@ -342,10 +312,10 @@ float star_reach(
 }
 
 AxesAround axes(
-    metal::float3 direction_2,
+    metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e2 = axes_around(direction_2, up_1);
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
     return AxesAround {_e2[0], _e2[1]};
 }
 
@@ -360,56 +330,47 @@ metal::float3 half_vector(
 }
 
 metal::float3 split_direction(
-    metal::float3 direction_3,
-    metal::float3 x_axis_2,
-    metal::float3 y_axis_2,
-    float x_9,
+    metal::float3 direction_2,
+    metal::float3 x_axis_1,
+    metal::float3 y_axis_1,
+    float x_8,
     float y_4
 ) {
-    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e18 = direction_moved_2_(_e5, -(metal::float2(x_9, y_4)) * side);
+    metal::float3 _e18 = direction_moved(_e5, -(metal::float2(x_8, y_4)) * side);
     return _e18;
 }
 
 metal::float3 square_direction(
-    metal::float3 direction_4,
-    metal::float3 x_axis_3,
-    metal::float3 y_axis_3,
+    metal::float3 direction_3,
+    metal::float3 x_axis_2,
+    metal::float3 y_axis_2,
     float amount,
     float sharpness
 ) {
-    bool local = {};
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_3 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::clamp((apart * apart) / metal::max(square_3, 0.00000000000000000001), 0.0, 1.0);
-    float _e23 = bounded(sharpness);
-    float sharp = metal::clamp(_e23, 1.0, 1024.0);
-    float _e29 = log1p_negative(aside_1);
-    float _e31 = exp2_stable((sharp * LOG2_E) * _e29);
-    if (square_3 > 0.00000000000000000001) {
-        local = aside_1 < 1.0;
-    } else {
-        local = false;
-    }
-    bool _e39 = local;
-    float corner_1 = _e39 ? _e31 : 0.0;
-    metal::float3 _e49 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place);
-    return _e49;
+    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
+    float _e24 = log1p_negative(aside_1);
+    float _e26 = exp2_stable((sharpness * LOG2_E) * _e24);
+    float corner_1 = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e26 : 0.0;
+    metal::float3 _e38 = direction_moved(_e5, (-(amount) * corner_1) * _e5.place);
+    return _e38;
 }
 
 Angle star_angle(
-    metal::float3 direction_5,
+    metal::float3 direction_4,
     metal::float3 middle,
-    metal::float3 x_axis_4,
-    metal::float3 y_axis_4,
+    metal::float3 x_axis_3,
+    metal::float3 y_axis_3,
     int rays_1,
     float inner_1,
     float round_1,
     float turn_1
 ) {
-    DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
+    DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
     Angle u_3 = Angle {0.5 * metal::length(_e8.direction - middle), 0.5 * metal::length(_e8.direction + middle)};
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = (_e24 - turn_1) / 6.2831855;
@@ -479,38 +440,37 @@ float rim(
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
     float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), follow);
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = 1.0 - _e22;
     metal::float4 shadow = metal::min(metal::float4(metal::float3(0.83, 0.19, 0.18) * metal::mix(metal::float3(1.0), metal::float3(0.52, 0.25, 0.46), in_the_dark), 1.0), metal::float4(1.0));
-    metal::float3 normal_1 = surface_1.normal;
-    Light _e45 = look.key;
-    metal::float3 _e47 = half_vector(_e45, surface_1.view);
-    AxesAround _e52 = axes(_e47, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 _e57 = split_direction(normal_1, _e52.x_axis, _e52.y_axis, 0.15, 0.15);
-    metal::float3 _e62 = square_direction(_e57, _e52.x_axis, _e52.y_axis, 0.3, 4.0);
-    Angle window_angle = Angle {0.5 * metal::length(_e62 - _e47), 0.5 * metal::length(_e62 + _e47)};
+    Light _e44 = look.key;
+    metal::float3 _e46 = half_vector(_e44, surface.view);
+    AxesAround _e51 = axes(_e46, metal::float3(0.0, 1.0, 0.0));
+    metal::float3 _e57 = split_direction(surface.normal, _e51.x_axis, _e51.y_axis, 0.15, 0.15);
+    metal::float3 _e62 = square_direction(_e57, _e51.x_axis, _e51.y_axis, 0.3, 4.0);
+    Angle window_angle = Angle {0.5 * metal::length(_e62 - _e46), 0.5 * metal::length(_e62 + _e46)};
     float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
     Composite _e82 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
     Light _e85 = look.spark;
-    metal::float3 _e87 = half_vector(_e85, surface_1.view);
+    metal::float3 _e87 = half_vector(_e85, surface.view);
     AxesAround _e92 = axes(_e87, metal::float3(0.0, 1.0, 0.0));
-    Angle _e100 = star_angle(surface_1.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
+    Angle _e100 = star_angle(surface.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
     float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
     metal::float4 spark_s_light = metal::clamp(metal::float4(_e82.xyz + (_e103 * (metal::float3(1.0, 0.83, 0.42) - _e82.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     Light _e122 = look.back;
-    float _e128 = rim(_e122, surface_1.normal, surface_1.view, 0.38, 0.15, 1.0);
-    metal::float4 output = metal::clamp(metal::float4(spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * metal::float3(0.55, 0.72, 1.0))) - spark_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e128 = rim(_e122, surface.normal, surface.view, 0.38, 0.15, 1.0);
+    metal::float4 rim_s_light = metal::clamp(metal::float4(spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * metal::float3(0.55, 0.72, 1.0))) - spark_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return rim_s_light;
 }
 
 struct vs_mainInput {
@@ -528,16 +488,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_2.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_2.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -557,14 +512,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    metal::float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

@@ -93,12 +93,12 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -126.0, 127.999992);
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -222,15 +222,6 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
     let p = abs(vec2f(x, y));
@@ -266,30 +257,12 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
-    let x = normalize_or(x_axis, vec3f(0.0));
-    let y = normalize_or(y_axis, vec3f(0.0));
-    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
-}
-
-/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
-/// without one is +z.
-fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
     let y = y_axis * inverseSqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
-    // Farther than a million the direction lies along the axis.
-    let step = clamp(by, vec2f(-1e6), vec2f(1e6));
-    let moved = parts.direction + step.x * parts.x_axis + step.y * parts.y_axis;
-    // The direction of a sum of nearly 0 would be rounding's.
-    return select(parts.direction, normalize_or(moved, parts.direction), dot(moved, moved) > 1e-6);
-}
-
-/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
-fn direction_moved_2(parts: DirectionParts, by: vec2f) -> vec3f {
     let moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     return select(parts.direction, normalize_moderate(moved, parts.direction), dot(moved, moved)
         > 1e-6);
@@ -350,26 +323,23 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 /// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
 /// panes in an eye.
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within_2(direction, x_axis, y_axis);
+    let bent = direction_within(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
-    return direction_moved_2(bent, -vec2f(x, y) * side);
+    return direction_moved(bent, -vec2f(x, y) * side);
 }
 
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
-    sharpness: f32) -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32)
+    -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
-    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
-    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
-    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
-    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
-    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
-        && aside < 1.0);
-    return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
+    let aside = min(apart * apart / max(square, 1e-20), 1.0);
+    let corner = select(0.0, exp2_stable(sharpness * LOG2_E * log1p_negative(aside)),
+        (square > 1e-20) & (aside < 1.0));
+    return direction_moved(bent, -amount * corner * bent.place);
 }
 
 /// Star
@@ -378,7 +348,7 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
 /// instead of a disk: in between its rays the angle counts for more.
 fn star_angle(direction: vec3f, middle: vec3f, x_axis: vec3f, y_axis: vec3f, rays: i32, inner: f32,
     round: f32, turn: f32) -> Angle {
-    let bent = direction_within_2(direction, x_axis, y_axis);
+    let bent = direction_within(direction, x_axis, y_axis);
     let u = Angle(0.5 * length(bent.direction - middle), 0.5 * length(bent.direction + middle));
     let around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.283185307179586;
     let reach = star_reach(around, 4.0, inner, round);
@@ -387,8 +357,8 @@ fn star_angle(direction: vec3f, middle: vec3f, x_axis: vec3f, y_axis: vec3f, ray
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -443,9 +413,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 const shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u);
@@ -454,27 +424,31 @@ const spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     let in_the_dark = 1.0 - shadow_side;
-    let shadow = min(vec4f(vec4f(0.83, 0.19, 0.18, 1.0).xyz * mix(vec3f(1.0), vec4f(0.52, 0.25, 0.46, 1.0).xyz, in_the_dark), 1.0), vec4f(1.0));
-    let normal = surface.normal;
+    let shadow = min(vec4f(vec4f(0.83, 0.19, 0.18, 1.0).xyz
+        * mix(vec3f(1.0), vec4f(0.52, 0.25, 0.46, 1.0).xyz, in_the_dark), 1.0), vec4f(1.0));
     let half = half_vector(look.key, surface.view);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
-    let four_panes = split_direction(normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
+    let four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
     let square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
     let window_angle = Angle(0.5 * length(square_it - half), 0.5 * length(square_it + half));
     let window = profile_balanced_2(window_angle, 0.0, window_shape);
     let window_s_light = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
     let spark_half = half_vector(look.spark, surface.view);
     let upright_2 = axes(spark_half, vec3f(0.0, 1.0, 0.0));
-    let four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4i, 0.28, 0.0, 0.3);
+    let four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4i,
+        0.28, 0.0, 0.3);
     let spark = profile_balanced_2(four_rays, 0.0, spark_shape);
-    let spark_s_light = clamp(vec4f(window_s_light.xyz + spark * (vec4f(1.0, 0.83, 0.42, 1.0).xyz - window_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let spark_s_light = clamp(vec4f(window_s_light.xyz + spark
+        * (vec4f(1.0, 0.83, 0.42, 1.0).xyz - window_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    let rim_s_light = clamp(vec4f(spark_s_light.xyz + 0.75 * (spark_s_light.xyz + rim_2 * vec4f(0.55, 0.72, 1.0, 1.0).xyz - spark_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = rim_s_light;
-    return output;
+    let rim_s_light = clamp(vec4f(spark_s_light.xyz + 0.75
+        * (spark_s_light.xyz + rim_2 * vec4f(0.55, 0.72, 1.0, 1.0).xyz - spark_s_light.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
+    return rim_s_light;
 }
 
 struct Vertex {
@@ -491,20 +465,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

@@ -144,25 +144,21 @@ vec4 ramp_oklab(float value, Ramp ramp_1) {
     return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : vec4(_e11, 1.0)));
 }
 
-vec4 shade(Surface surface_1) {
-    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    vec4 _e8 = ramp_oklab(facing, glow);
+vec4 shade(Surface surface) {
+    vec4 _e8 = ramp_oklab(clamp(dot(surface.normal, surface.view), 0.0, 1.0), glow);
     return _e8;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

@@ -194,10 +194,9 @@ Color ramp_oklab(
 }
 
 metal::float4 shade(
-    Surface surface_1
+    Surface surface
 ) {
-    float facing = metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    Color _e8 = ramp_oklab(facing, glow);
+    Color _e8 = ramp_oklab(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), glow);
     return _e8;
 }
 
@@ -216,16 +215,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -244,14 +238,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    metal::float4 _e11 = view.eye;
-    float _e16 = view.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view.eye;
+    float _e13 = view.eye.w;
+    Surface surface_1 = Surface {normal, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1);
+    return fs_mainOutput { _e19 };
 }

@@ -95,21 +95,21 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
-        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
-        -0.7034186147, 1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
-        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb_2(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(pow((1.0 + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
-        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear(vec3f(pow((1.0 + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -158,10 +158,8 @@ const glow = Ramp(array(vec4f(0.851, 0.4118, 0.1647, 1.0), vec4f(1.0, 0.7804, 0.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    let glow_2 = ramp_oklab(facing, glow);
-    let output = glow_2;
-    return output;
+    let glow_2 = ramp_oklab(clamp(dot(surface.normal, surface.view), 0.0, 1.0), glow);
+    return glow_2;
 }
 
 struct Vertex {
@@ -178,20 +176,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

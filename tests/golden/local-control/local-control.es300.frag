@@ -52,7 +52,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const ProfileShape soft_tone_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
 
@@ -75,11 +74,6 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
 vec3 normalize_seen(vec3 v_1) {
     vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -106,16 +100,9 @@ float bounded(float x) {
 
 float eased(float x_1, float low, float high) {
     float _e3 = bounded(x_1);
-    float _e8 = bounded(((_e3 - low) / (0.5 - low)));
-    float t_1 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / (high - low)));
+    float t_1 = clamp(_e7, 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
-}
-
-float eased_2_(float x_2, float low_1, float high_1) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded(((_e3 - low_1) / (high_1 - low_1)));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
 float length_of(vec3 v_2) {
@@ -127,36 +114,24 @@ float length_of(vec3 v_2) {
     return _e16;
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
+float footprint_of_2_(float x_3) {
+    float _e1 = dFdx(x_3);
+    float _e2 = dFdy(x_3);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float step_filtered(float x_5, float edge, float w) {
-    float d_2 = (x_5 - edge);
+float step_filtered(float x_4, float edge, float w) {
+    float d_2 = (x_4 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
-}
-
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-vec3 tensor_safe(vec3 tensor) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return vec3(_e2, _e4, _e6);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -169,28 +144,17 @@ vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, b
 
 Light local_light(Light light, vec3 bend, float strength, vec3 center, float radius, float hardness, vec3 position) {
     float _e8 = length_of((position - center));
-    float _e12 = eased(_e8, (0.5 * hardness), 0.5);
-    float weight = (1.0 - _e12);
+    float _e10 = eased(_e8, (radius * hardness), radius);
+    float weight = (1.0 - _e10);
     vec3 bent = (light.direction + (weight * bend));
-    vec3 _e20 = normalize_moderate(bent, light.direction);
-    vec3 direction = (((dot(bent, bent) > 1e-6) && (weight > 0.0)) ? _e20 : light.direction);
+    vec3 _e18 = normalize_moderate(bent, light.direction);
+    vec3 direction = (((dot(bent, bent) > 1e-6) && (weight > 0.0)) ? _e18 : light.direction);
     return Light(direction, light.own_direction, light.color, min(light.intensity, 1e30));
-}
-
-Light local_light_2_(Light light_1, vec3 bend_1, float strength_1, vec3 center_1, float radius_1, float hardness_1, vec3 position_1) {
-    float _e8 = length_of((position_1 - center_1));
-    float _e10 = eased_2_(_e8, (radius_1 * hardness_1), radius_1);
-    float weight_1 = (1.0 - _e10);
-    vec3 bent_1 = (light_1.direction + (weight_1 * bend_1));
-    vec3 _e18 = normalize_moderate(bent_1, light_1.direction);
-    vec3 direction_1 = (((dot(bent_1, bent_1) > 1e-6) && (weight_1 > 0.0)) ? _e18 : light_1.direction);
-    return Light(direction_1, light_1.own_direction, light_1.color, min(light_1.intensity, 1e30));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2((shape.exponent * _e8)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1) {
@@ -213,7 +177,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
     return _e8;
 }
 
-float rim(Light light_2, vec3 normal, vec3 view, float width, float softness, float follow) {
+float rim(Light light_1, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
     float _e11 = footprint_of_2_(facing);
     float edge_1 = max((width * softness), min(_e11, 1.0));
@@ -221,26 +185,18 @@ float rim(Light light_2, vec3 normal, vec3 view, float width, float softness, fl
     float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / edge_1) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across = (light_2.direction - (dot(light_2.direction, view) * view));
+    vec3 across = (light_1.direction - (dot(light_1.direction, view) * view));
     float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-float faded_in(float x_6, float limit, float softness_1) {
-    float _e3 = footprint_of(x_6);
-    float width_3 = length(vec2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    float _e10 = bounded(x_6);
-    return clamp((0.5 + ((_e10 - 20.0) / width_3)), 0.0, 1.0);
-}
-
-float inner_contour_suggestive(float width_1, float limit_1, float softness_2, vec3 tensor_1, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
+float inner_contour_suggestive(float width_1, float limit, float softness_1, vec3 tensor, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
-    vec3 _e10 = tensor_safe(tensor_1);
     float square_1 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
-    float _e36 = dFdx(radial);
-    float _e37 = dFdy(radial);
-    vec2 change = vec2(_e36, _e37);
+    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square_1, 1e-6));
+    float _e35 = dFdx(radial);
+    float _e36 = dFdy(radial);
+    vec2 change = vec2(_e35, _e36);
     vec3 v_3 = (camera_from_world * view_1);
     vec3 row = dFdy(place);
     float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
@@ -248,30 +204,32 @@ float inner_contour_suggestive(float width_1, float limit_1, float softness_2, v
     float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
     float pixels = (height / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float _e77 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e77) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float x_5 = ((toward_eye * height) * 0.05);
+    float _e77 = footprint_of(x_5);
+    float strength_1 = clamp((0.5 + ((x_5 - limit) / length(vec2(min(_e77, 1000000000000000.0), (limit * softness_1))))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength_1) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 float outer_contour(float width_2, vec3 normal_2, vec3 view_2, vec2 viewport_1) {
     float facing_1 = clamp(dot(normal_2, view_2), 0.0, 1.0);
-    float pixels_1 = ((3.0 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
-    float _e16 = footprint_of_2_(facing_1);
-    float distance_1 = (facing_1 / max((2.0 * _e16), 1e-6));
+    float pixels_1 = ((width_2 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
+    float _e15 = footprint_of_2_(facing_1);
+    float distance_1 = (facing_1 / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing_1));
     return (clamp(((pixels_1 + 0.5) - distance_1), 0.0, min(pixels_1, 1.0)) * near);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
-    Light _e16 = local_light(_e3, vec3(0.9, 0.25, 0.5), 1.0, vec3(0.12, 0.42, 0.5), 0.5, 0.4, surface_1.position_object);
-    Light _e29 = local_light_2_(_e16, vec3(0.4, 0.1, 0.35), 1.0, vec3(-0.05, -0.35, 0.5), 0.4, 0.2, surface_1.position_object);
-    Angle turned_from_the_light = Angle((0.5 * length((surface_1.normal - _e29.direction))), (0.5 * length((surface_1.normal + _e29.direction))));
+    Light _e16 = local_light(_e3, vec3(0.9, 0.25, 0.5), 1.0, vec3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    Light _e29 = local_light(_e16, vec3(0.4, 0.1, 0.35), 1.0, vec3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    Angle turned_from_the_light = Angle((0.5 * length((surface.normal - _e29.direction))), (0.5 * length((surface.normal + _e29.direction))));
     float _e45 = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    float _e52 = length_of((surface_1.position_object - vec3(0.0, 0.02, 0.45)));
-    float _e55 = eased_2_(_e52, 0.03, 0.3);
+    float _e52 = length_of((surface.position_object - vec3(0.0, 0.02, 0.45)));
+    float _e55 = eased(_e52, 0.03, 0.3);
     float shadow_under_the_chin = clamp((_e45 + ((1.0 - _e55) * -0.45)), 0.0, 1.0);
-    float _e70 = length_of((surface_1.position_object - vec3(-0.2, 0.72, 0.4)));
-    float _e73 = eased_2_(_e70, 0.085, 0.17);
+    float _e70 = length_of((surface.position_object - vec3(-0.2, 0.72, 0.4)));
+    float _e73 = eased(_e70, 0.085, 0.17);
     float glint_on_the_brow = clamp((shadow_under_the_chin + ((1.0 - _e73) * 0.5)), 0.0, 1.0);
     float _e83 = footprint_of_2_(glint_on_the_brow);
     float _e87 = step_filtered(glint_on_the_brow, 0.55, length(vec2(_e83, 0.0)));
@@ -280,14 +238,14 @@ vec4 shade(Surface surface_1) {
     float _e106 = step_filtered(glint_on_the_brow, 0.97, length(vec2(_e102, 0.0)));
     vec4 brightest_light = min(vec4((_e100.xyz + (_e106 * (vec3(1.0, 0.93, 0.76) - _e100.xyz))), 1.0), vec4(1.0));
     Light _e123 = u_look.back;
-    float _e129 = rim(_e123, surface_1.normal, surface_1.view, 0.3, 0.1, 1.0);
+    float _e129 = rim(_e123, surface.normal, surface.view, 0.3, 0.1, 1.0);
     vec4 _e137 = blend_alpha_2_(brightest_light, vec4(0.72, 0.86, 1.0, 1.0), _e129, 0.7, true);
-    vec2 _e143 = u_look.viewport;
-    float _e144 = outer_contour(3.0, surface_1.normal, surface_1.view, _e143);
-    mat3x3 _e153 = u_look.camera_from_world;
+    mat3x3 _e146 = u_look.camera_from_world;
+    vec2 _e150 = u_look.viewport;
+    float _e151 = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, _e146, surface.position_camera, _e150);
     vec2 _e157 = u_look.viewport;
-    float _e158 = inner_contour_suggestive(2.0, 20.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e153, surface_1.position_camera, _e157);
-    float all_lines = max(_e144, _e158);
+    float _e158 = outer_contour(3.0, surface.normal, surface.view, _e157);
+    float all_lines = max(_e158, _e151);
     vec4 _e167 = blend_alpha_2_(_e137, vec4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
     return _e167;
 }
@@ -295,21 +253,15 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    mat4x4 _e26 = u_view.camera_from_world;
-    surface.position_camera = (_e26 * vec4(in_.position, 1.0)).xyz;
-    vec4 _e38 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    surface.curvature_tensor = _e38.xyz;
-    Surface _e40 = surface;
-    vec4 _e41 = shade(_e40);
-    out_color = _e41;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    mat4x4 _e21 = u_view.camera_from_world;
+    vec4 _e32 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, (_e21 * vec4(in_.position, 1.0)).xyz, _e32.xyz);
+    vec4 _e35 = shade(surface_1);
+    out_color = _e35;
     return;
 }
 

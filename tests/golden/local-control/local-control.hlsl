@@ -93,7 +93,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const ProfileShape soft_tone_shape = ConstructProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
 
@@ -103,14 +102,14 @@ cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_tensor_map : register(t0);
 
 struct VertexOutput_vs_main {
-    float3 position_2 : LOC0;
+    float3 position_1 : LOC0;
     float3 position_object : LOC1;
     float3 normal_3 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
-    float3 position_3 : LOC0;
+    float3 position_2 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_4 : LOC2;
     float4 clip_1 : SV_Position;
@@ -127,12 +126,6 @@ float3 normalize_seen(float3 v_1)
 {
     const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -171,17 +164,9 @@ float bounded(float x)
 float eased(float x_1, float low, float high)
 {
     const float _e3 = bounded(x_1);
-    const float _e8 = bounded(((_e3 - low) / (0.5 - low)));
-    float t_1 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / (high - low)));
+    float t_1 = clamp(_e7, 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
-}
-
-float eased_2_(float x_2, float low_1, float high_1)
-{
-    const float _e3 = bounded(x_2);
-    const float _e7 = bounded(((_e3 - low_1) / (high_1 - low_1)));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
 float length_of(float3 v_2)
@@ -194,41 +179,27 @@ float length_of(float3 v_2)
     return _e16;
 }
 
-float footprint_of(float x_3)
+float footprint_of(float x_2)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float footprint_of_2_(float x_4)
+float footprint_of_2_(float x_3)
 {
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
+    float _e1 = ddx(x_3);
+    float _e2 = ddy(x_3);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float step_filtered(float x_5, float edge, float w)
+float step_filtered(float x_4, float edge, float w)
 {
-    float d_2 = (x_5 - edge);
+    float d_2 = (x_4 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
-}
-
-float kappa_safe(float kappa)
-{
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float3 tensor_safe(float3 tensor)
-{
-    const float _e2 = kappa_safe(tensor.x);
-    const float _e4 = kappa_safe(tensor.y);
-    const float _e6 = kappa_safe(tensor.z);
-    return float3(_e2, _e4, _e6);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -253,32 +224,19 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
 Light local_light(Light light, float3 bend, float strength, float3 center_, float radius, float hardness, float3 position)
 {
     const float _e8 = length_of((position - center_));
-    const float _e12 = eased(_e8, (0.5 * hardness), 0.5);
-    float weight = (1.0 - _e12);
+    const float _e10 = eased(_e8, (radius * hardness), radius);
+    float weight = (1.0 - _e10);
     float3 bent = (light.direction + (weight * bend));
-    const float3 _e20 = normalize_moderate(bent, light.direction);
-    float3 direction = (((dot(bent, bent) > 1e-6) & (weight > 0.0)) ? _e20 : light.direction);
-    const Light light_3 = ConstructLight(direction, light.own_direction, light.color, min(light.intensity, 1e30));
-    return light_3;
-}
-
-Light local_light_2_(Light light_1, float3 bend_1, float strength_1, float3 center_1, float radius_1, float hardness_1, float3 position_1)
-{
-    const float _e8 = length_of((position_1 - center_1));
-    const float _e10 = eased_2_(_e8, (radius_1 * hardness_1), radius_1);
-    float weight_1 = (1.0 - _e10);
-    float3 bent_1 = (light_1.direction + (weight_1 * bend_1));
-    const float3 _e18 = normalize_moderate(bent_1, light_1.direction);
-    float3 direction_1 = (((dot(bent_1, bent_1) > 1e-6) & (weight_1 > 0.0)) ? _e18 : light_1.direction);
-    const Light light_4 = ConstructLight(direction_1, light_1.own_direction, light_1.color, min(light_1.intensity, 1e30));
-    return light_4;
+    const float3 _e18 = normalize_moderate(bent, light.direction);
+    float3 direction = (((dot(bent, bent) > 1e-6) & (weight > 0.0)) ? _e18 : light.direction);
+    const Light light_2 = ConstructLight(direction, light.own_direction, light.color, min(light.intensity, 1e30));
+    return light_2;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2((shape.exponent * _e8)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1)
@@ -303,7 +261,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
     return _e8;
 }
 
-float rim(Light light_2, float3 normal, float3 view, float width, float softness, float follow)
+float rim(Light light_1, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
     const float _e11 = footprint_of_2_(facing);
@@ -312,28 +270,19 @@ float rim(Light light_2, float3 normal, float3 view, float width, float softness
     float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / edge_1) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
+    float3 across = (light_1.direction - (dot(light_1.direction, view) * view));
     float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-float faded_in(float x_6, float limit, float softness_1)
-{
-    const float _e3 = footprint_of(x_6);
-    float width_3 = length(float2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    const float _e10 = bounded(x_6);
-    return clamp((0.5 + ((_e10 - 20.0) / width_3)), 0.0, 1.0);
-}
-
-float inner_contour_suggestive(float width_1, float limit_1, float softness_2, float3 tensor_1, float3 normal_1, float3 view_1, float3x3 camera_from_world, float3 place, float2 viewport)
+float inner_contour_suggestive(float width_1, float limit, float softness_1, float3 tensor, float3 normal_1, float3 view_1, float3x3 camera_from_world, float3 place, float2 viewport)
 {
     float3 n = mul(normal_1, camera_from_world);
-    const float3 _e10 = tensor_safe(tensor_1);
     float square_1 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
-    float _e36 = ddx(radial);
-    float _e37 = ddy(radial);
-    float2 change = float2(_e36, _e37);
+    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square_1, 1e-6));
+    float _e35 = ddx(radial);
+    float _e36 = ddy(radial);
+    float2 change = float2(_e35, _e36);
     float3 v_3 = mul(view_1, camera_from_world);
     float3 row = ddy(place);
     float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
@@ -341,32 +290,34 @@ float inner_contour_suggestive(float width_1, float limit_1, float softness_2, f
     float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
     float pixels = (height / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    const float _e77 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e77) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float x_5 = ((toward_eye * height) * 0.05);
+    const float _e77 = footprint_of(x_5);
+    float strength_1 = clamp((0.5 + ((x_5 - limit) / length(float2(min(_e77, 1000000000000000.0), (limit * softness_1))))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength_1) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 float outer_contour(float width_2, float3 normal_2, float3 view_2, float2 viewport_1)
 {
     float facing_1 = clamp(dot(normal_2, view_2), 0.0, 1.0);
-    float pixels_1 = ((3.0 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
-    const float _e16 = footprint_of_2_(facing_1);
-    float distance_1 = (facing_1 / max((2.0 * _e16), 1e-6));
+    float pixels_1 = ((width_2 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of_2_(facing_1);
+    float distance_1 = (facing_1 / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing_1));
     return (clamp(((pixels_1 + 0.5) - distance_1), 0.0, min(pixels_1, 1.0)) * near);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
-    const Light _e16 = local_light(_e3, float3(0.9, 0.25, 0.5), 1.0, float3(0.12, 0.42, 0.5), 0.5, 0.4, surface_1.position_object);
-    const Light _e29 = local_light_2_(_e16, float3(0.4, 0.1, 0.35), 1.0, float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface_1.position_object);
-    Angle turned_from_the_light = ConstructAngle((0.5 * length((surface_1.normal - _e29.direction))), (0.5 * length((surface_1.normal + _e29.direction))));
+    const Light _e16 = local_light(_e3, float3(0.9, 0.25, 0.5), 1.0, float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    const Light _e29 = local_light(_e16, float3(0.4, 0.1, 0.35), 1.0, float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    Angle turned_from_the_light = ConstructAngle((0.5 * length((surface.normal - _e29.direction))), (0.5 * length((surface.normal + _e29.direction))));
     const float _e45 = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    const float _e52 = length_of((surface_1.position_object - float3(0.0, 0.02, 0.45)));
-    const float _e55 = eased_2_(_e52, 0.03, 0.3);
+    const float _e52 = length_of((surface.position_object - float3(0.0, 0.02, 0.45)));
+    const float _e55 = eased(_e52, 0.03, 0.3);
     float shadow_under_the_chin = clamp((_e45 + ((1.0 - _e55) * -0.45)), 0.0, 1.0);
-    const float _e70 = length_of((surface_1.position_object - float3(-0.2, 0.72, 0.4)));
-    const float _e73 = eased_2_(_e70, 0.085, 0.17);
+    const float _e70 = length_of((surface.position_object - float3(-0.2, 0.72, 0.4)));
+    const float _e73 = eased(_e70, 0.085, 0.17);
     float glint_on_the_brow = clamp((shadow_under_the_chin + ((1.0 - _e73) * 0.5)), 0.0, 1.0);
     const float _e83 = footprint_of_2_(glint_on_the_brow);
     const float _e87 = step_filtered(glint_on_the_brow, 0.55, length(float2(_e83, 0.0)));
@@ -375,34 +326,46 @@ float4 shade(Surface surface_1)
     const float _e106 = step_filtered(glint_on_the_brow, 0.97, length(float2(_e102, 0.0)));
     float4 brightest_light = min(float4((_e100.xyz + (_e106 * (float3(1.0, 0.93, 0.76) - _e100.xyz))), 1.0), (1.0).xxxx);
     Light _e123 = look.back;
-    const float _e129 = rim(_e123, surface_1.normal, surface_1.view, 0.3, 0.1, 1.0);
+    const float _e129 = rim(_e123, surface.normal, surface.view, 0.3, 0.1, 1.0);
     const float4 _e137 = blend_alpha_2_(brightest_light, float4(0.72, 0.86, 1.0, 1.0), _e129, 0.7, true);
-    float2 _e143 = look.viewport;
-    const float _e144 = outer_contour(3.0, surface_1.normal, surface_1.view, _e143);
-    float3x3 _e153 = look.camera_from_world;
+    float3x3 _e146 = look.camera_from_world;
+    float2 _e150 = look.viewport;
+    const float _e151 = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, _e146, surface.position_camera, _e150);
     float2 _e157 = look.viewport;
-    const float _e158 = inner_contour_suggestive(2.0, 20.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e153, surface_1.position_camera, _e157);
-    float all_lines = max(_e144, _e158);
+    const float _e158 = outer_contour(3.0, surface.normal, surface.view, _e157);
+    float all_lines = max(_e158, _e151);
     const float4 _e167 = blend_alpha_2_(_e137, float4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
     return _e167;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_3.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_3.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.position_camera = arg3;
+    ret.curvature_tensor = arg4;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -411,22 +374,15 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4x4 _e26 = view_3.camera_from_world;
-    surface.position_camera = mul(float4(in_.position, 1.0), _e26).xyz;
-    float4 _e38 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.curvature_tensor = _e38.xyz;
-    Surface _e40 = surface;
-    const float4 _e41 = shade(_e40);
-    return _e41;
+    float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    float4x4 _e21 = view_3.camera_from_world;
+    float4 _e32 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, mul(float4(in_.position, 1.0), _e21).xyz, _e32.xyz);
+    const float4 _e35 = shade(surface_1);
+    return _e35;
 }

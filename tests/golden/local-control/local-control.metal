@@ -68,7 +68,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape soft_tone_shape = ProfileShape {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u};
 
@@ -85,13 +84,6 @@ metal::float3 normalize_seen(
 ) {
     metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -129,20 +121,9 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_1);
-    float _e8 = bounded((_e3 - low) / (0.5 - low));
-    float t_1 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / (high - low));
+    float t_1 = metal::clamp(_e7, 0.0, 1.0);
     return (t_1 * t_1) * (3.0 - (2.0 * t_1));
-}
-
-float eased_2_(
-    float x_2,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded((_e3 - low_1) / (high_1 - low_1));
-    float t_2 = metal::clamp(_e7, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
 float length_of(
@@ -157,47 +138,31 @@ float length_of(
 }
 
 float footprint_of(
-    float x_3
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
     return _e6;
 }
 
 float footprint_of_2_(
-    float x_4
+    float x_3
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
+    float _e1 = metal::dfdx(x_3);
+    float _e2 = metal::dfdy(x_3);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
 
 float step_filtered(
-    float x_5,
+    float x_4,
     float edge,
     float w
 ) {
-    float d_2 = x_5 - edge;
+    float d_2 = x_4 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
-}
-
-float kappa_safe(
-    float kappa
-) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
-}
-
-metal::float3 tensor_safe(
-    metal::float3 tensor
-) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return metal::float3(_e2, _e4, _e6);
 }
 
 Composite blend_alpha(
@@ -230,30 +195,12 @@ Light local_light(
     metal::float3 position
 ) {
     float _e8 = length_of(position - center);
-    float _e12 = eased(_e8, 0.5 * hardness, 0.5);
-    float weight = 1.0 - _e12;
+    float _e10 = eased(_e8, radius * hardness, radius);
+    float weight = 1.0 - _e10;
     metal::float3 bent = light.direction + (weight * bend);
-    metal::float3 _e20 = normalize_moderate(bent, light.direction);
-    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001) & (weight > 0.0)) ? _e20 : light.direction;
+    metal::float3 _e18 = normalize_moderate(bent, light.direction);
+    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001) & (weight > 0.0)) ? _e18 : light.direction;
     return Light {direction, light.own_direction, light.color, metal::min(light.intensity, 1000000000000000000000000000000.0)};
-}
-
-Light local_light_2_(
-    Light light_1,
-    metal::float3 bend_1,
-    float strength_1,
-    metal::float3 center_1,
-    float radius_1,
-    float hardness_1,
-    metal::float3 position_1
-) {
-    float _e8 = length_of(position_1 - center_1);
-    float _e10 = eased_2_(_e8, radius_1 * hardness_1, radius_1);
-    float weight_1 = 1.0 - _e10;
-    metal::float3 bent_1 = light_1.direction + (weight_1 * bend_1);
-    metal::float3 _e18 = normalize_moderate(bent_1, light_1.direction);
-    metal::float3 direction_1 = ((metal::dot(bent_1, bent_1) > 0.000001) & (weight_1 > 0.0)) ? _e18 : light_1.direction;
-    return Light {direction_1, light_1.own_direction, light_1.color, metal::min(light_1.intensity, 1000000000000000000000000000000.0)};
 }
 
 float profile_soft_quick(
@@ -261,8 +208,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(shape.exponent * _e8), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -294,7 +240,7 @@ float profile_balanced(
 }
 
 float rim(
-    Light light_2,
+    Light light_1,
     metal::float3 normal,
     metal::float3 view,
     float width,
@@ -308,27 +254,16 @@ float rim(
     float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
     float within = (further / edge_1) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
+    metal::float3 across = light_1.direction - (metal::dot(light_1.direction, view) * view);
     float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
-}
-
-float faded_in(
-    float x_6,
-    float limit,
-    float softness_1
-) {
-    float _e3 = footprint_of(x_6);
-    float width_3 = metal::length(metal::float2(metal::min(_e3, 1000000000000000.0), 20.0 * softness_1));
-    float _e10 = bounded(x_6);
-    return metal::clamp(0.5 + ((_e10 - 20.0) / width_3), 0.0, 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
 float inner_contour_suggestive(
     float width_1,
-    float limit_1,
-    float softness_2,
-    metal::float3 tensor_1,
+    float limit,
+    float softness_1,
+    metal::float3 tensor,
     metal::float3 normal_1,
     metal::float3 view_1,
     metal::float3x3 camera_from_world,
@@ -336,12 +271,11 @@ float inner_contour_suggestive(
     metal::float2 viewport
 ) {
     metal::float3 n = camera_from_world * normal_1;
-    metal::float3 _e10 = tensor_safe(tensor_1);
     float square_1 = metal::dot(n.xy, n.xy);
-    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
-    float _e36 = metal::dfdx(radial);
-    float _e37 = metal::dfdy(radial);
-    metal::float2 change = metal::float2(_e36, _e37);
+    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
+    float _e35 = metal::dfdx(radial);
+    float _e36 = metal::dfdy(radial);
+    metal::float2 change = metal::float2(_e35, _e36);
     metal::float3 v_3 = camera_from_world * view_1;
     metal::float3 row = metal::dfdy(place);
     float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
@@ -349,8 +283,10 @@ float inner_contour_suggestive(
     float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
     float pixels = height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float _e77 = faded_in((toward_eye * height) * 0.05, limit_1, softness_2);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e77) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
+    float x_5 = (toward_eye * height) * 0.05;
+    float _e77 = footprint_of(x_5);
+    float strength_1 = metal::clamp(0.5 + ((x_5 - limit) / metal::length(metal::float2(metal::min(_e77, 1000000000000000.0), limit * softness_1))), 0.0, 1.0);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength_1) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
 }
 
 float outer_contour(
@@ -360,27 +296,27 @@ float outer_contour(
     metal::float2 viewport_1
 ) {
     float facing_1 = metal::clamp(metal::dot(normal_2, view_2), 0.0, 1.0);
-    float pixels_1 = (3.0 * metal::clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0;
-    float _e16 = footprint_of_2_(facing_1);
-    float distance_1 = facing_1 / metal::max(2.0 * _e16, 0.000001);
+    float pixels_1 = (width_2 * metal::clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0;
+    float _e15 = footprint_of_2_(facing_1);
+    float distance_1 = facing_1 / metal::max(2.0 * _e15, 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing_1);
     return metal::clamp((pixels_1 + 0.5) - distance_1, 0.0, metal::min(pixels_1, 1.0)) * near;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
-    Light _e16 = local_light(_e3, metal::float3(0.9, 0.25, 0.5), 1.0, metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface_1.position_object);
-    Light _e29 = local_light_2_(_e16, metal::float3(0.4, 0.1, 0.35), 1.0, metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface_1.position_object);
-    Angle turned_from_the_light = Angle {0.5 * metal::length(surface_1.normal - _e29.direction), 0.5 * metal::length(surface_1.normal + _e29.direction)};
+    Light _e16 = local_light(_e3, metal::float3(0.9, 0.25, 0.5), 1.0, metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    Light _e29 = local_light(_e16, metal::float3(0.4, 0.1, 0.35), 1.0, metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - _e29.direction), 0.5 * metal::length(surface.normal + _e29.direction)};
     float _e45 = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    float _e52 = length_of(surface_1.position_object - metal::float3(0.0, 0.02, 0.45));
-    float _e55 = eased_2_(_e52, 0.03, 0.3);
+    float _e52 = length_of(surface.position_object - metal::float3(0.0, 0.02, 0.45));
+    float _e55 = eased(_e52, 0.03, 0.3);
     float shadow_under_the_chin = metal::clamp(_e45 + ((1.0 - _e55) * -0.45), 0.0, 1.0);
-    float _e70 = length_of(surface_1.position_object - metal::float3(-0.2, 0.72, 0.4));
-    float _e73 = eased_2_(_e70, 0.085, 0.17);
+    float _e70 = length_of(surface.position_object - metal::float3(-0.2, 0.72, 0.4));
+    float _e73 = eased(_e70, 0.085, 0.17);
     float glint_on_the_brow = metal::clamp(shadow_under_the_chin + ((1.0 - _e73) * 0.5), 0.0, 1.0);
     float _e83 = footprint_of_2_(glint_on_the_brow);
     float _e87 = step_filtered(glint_on_the_brow, 0.55, metal::length(metal::float2(_e83, 0.0)));
@@ -389,20 +325,20 @@ metal::float4 shade(
     float _e106 = step_filtered(glint_on_the_brow, 0.97, metal::length(metal::float2(_e102, 0.0)));
     metal::float4 brightest_light = metal::min(metal::float4(_e100.xyz + (_e106 * (metal::float3(1.0, 0.93, 0.76) - _e100.xyz)), 1.0), metal::float4(1.0));
     Light _e123 = look.back;
-    float _e129 = rim(_e123, surface_1.normal, surface_1.view, 0.3, 0.1, 1.0);
+    float _e129 = rim(_e123, surface.normal, surface.view, 0.3, 0.1, 1.0);
     Composite _e137 = blend_alpha_2_(brightest_light, metal::float4(0.72, 0.86, 1.0, 1.0), _e129, 0.7, true);
-    metal::float2 _e143 = look.viewport;
-    float _e144 = outer_contour(3.0, surface_1.normal, surface_1.view, _e143);
-    metal::float3x3 _e153 = look.camera_from_world;
+    metal::float3x3 _e146 = look.camera_from_world;
+    metal::float2 _e150 = look.viewport;
+    float _e151 = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, _e146, surface.position_camera, _e150);
     metal::float2 _e157 = look.viewport;
-    float _e158 = inner_contour_suggestive(2.0, 20.0, 0.3, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e153, surface_1.position_camera, _e157);
-    float all_lines = metal::max(_e144, _e158);
+    float _e158 = outer_contour(3.0, surface.normal, surface.view, _e157);
+    float all_lines = metal::max(_e158, _e151);
     Composite _e167 = blend_alpha_2_(_e137, metal::float4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
     return _e167;
 }
 
 struct vs_mainInput {
-    metal::float3 position_2 [[attribute(0)]];
+    metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
 struct vs_mainOutput {
@@ -416,18 +352,12 @@ vertex vs_mainOutput vs_main(
 , constant View& view_3 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position_2, varyings.normal_3 };
-    Varyings out = {};
+    const Vertex vertex_ = { varyings.position_1, varyings.normal_3 };
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_3.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_3.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -437,7 +367,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 
 struct fs_mainInput {
-    metal::float3 position_2 [[user(loc0), center_perspective]];
+    metal::float3 position_1 [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
@@ -452,20 +382,14 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_3 };
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    metal::float4x4 _e26 = view_3.camera_from_world;
-    surface.position_camera = (_e26 * metal::float4(in.position, 1.0)).xyz;
-    metal::float4 _e38 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.curvature_tensor = _e38.xyz;
-    Surface _e40 = surface;
-    metal::float4 _e41 = shade(_e40, look);
-    return fs_mainOutput { _e41 };
+    metal::float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    metal::float4x4 _e21 = view_3.camera_from_world;
+    metal::float4 _e32 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, (_e21 * metal::float4(in.position, 1.0)).xyz, _e32.xyz};
+    metal::float4 _e35 = shade(surface_1, look);
+    return fs_mainOutput { _e35 };
 }

@@ -68,7 +68,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
@@ -80,14 +79,6 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -121,13 +112,6 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - low) / (0.5 - low)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased_2(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(bounded((bounded(x) - low) / (high - low)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
@@ -159,18 +143,6 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return select(clamp(0.5 + d / w, 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
-/// Tensor fit for use: [`kappa_safe`] of each number.
-fn tensor_safe(tensor: vec3f) -> vec3f {
-    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
-}
-
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
     return vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0);
@@ -178,8 +150,8 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Local light
@@ -188,23 +160,10 @@ fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clampe
 /// elsewhere: light as an artist wants it to fall, where the real one would not.
 fn local_light(light: Light, bend: vec3f, strength: f32, center: vec3f, radius: f32, hardness: f32,
     position: vec3f) -> Light {
-    let weight = 1.0 - eased(length_of(position - center), 0.5 * hardness, 0.5);
+    let weight = 1.0 - eased(length_of(position - center), radius * hardness, radius);
     let bent = light.direction + weight * bend;
-    let direction = select(light.direction, normalize_moderate(bent, light.direction), (dot(bent,
-        bent) > 1e-6) & (weight > 0.0));
-    return Light(direction, light.own_direction, light.color, min(light.intensity, 1e30));
-}
-
-/// Local light
-///
-/// Bends a light and changes its strength around a place on the surface, and leaves it as it is
-/// elsewhere: light as an artist wants it to fall, where the real one would not.
-fn local_light_2(light: Light, bend: vec3f, strength: f32, center: vec3f, radius: f32,
-    hardness: f32, position: vec3f) -> Light {
-    let weight = 1.0 - eased_2(length_of(position - center), radius * hardness, radius);
-    let bent = light.direction + weight * bend;
-    let direction = select(light.direction, normalize_moderate(bent, light.direction), (dot(bent,
-        bent) > 1e-6) & (weight > 0.0));
+    let direction = select(light.direction, normalize_moderate(bent, light.direction),
+        (dot(bent, bent) > 1e-6) & (weight > 0.0));
     return Light(direction, light.own_direction, light.color, min(light.intensity, 1e30));
 }
 
@@ -230,8 +189,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(shape.exponent * log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q
-        >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -266,9 +224,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// Inner contour
@@ -278,9 +236,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
 fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
     view: vec3f, camera_from_world: mat3x3f, place: vec3f, viewport: vec2f) -> f32 {
     let n = camera_from_world * normal;
-    let h = tensor_safe(tensor);
     let square = dot(n.xy, n.xy);
-    let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
+    let radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
     let v = camera_from_world * view;
     let row = dpdy(place);
@@ -289,15 +247,11 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    let strength = faded_in(toward_eye * height * 0.05, limit, softness);
-    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength * smoothstep(0.05, 0.3,
-        dot(normal, view));
-}
-
-/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
-fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
-    let width = length(vec2f(min(footprint_of(x), 1e15), 20.0 * softness));
-    return clamp(0.5 + (bounded(x) - 20.0) / width, 0.0, 1.0);
+    let x = toward_eye * height * 0.05;
+    let strength = clamp(0.5 + (x - limit)
+        / length(vec2f(min(footprint_of(x), 1e15), limit * softness)), 0.0, 1.0);
+    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength
+        * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
 /// Outer contour
@@ -306,7 +260,7 @@ fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normal, view), 0.0, 1.0);
-    let pixels = 3.0 * clamp(viewport.y, 1.0, 1e5) / 1000.0;
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of_2(facing), 1e-6);
     let near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
@@ -316,24 +270,34 @@ const soft_tone_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_to_the_face = local_light(look.key, vec3f(0.9, 0.25, 0.5), 1.0, vec3f(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
-    let around_the_belly = local_light_2(turned_to_the_face, vec3f(0.4, 0.1, 0.35), 1.0, vec3f(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
-    let turned_from_the_light = Angle(0.5 * length(surface.normal - around_the_belly.direction), 0.5 * length(surface.normal + around_the_belly.direction));
+    let turned_to_the_face = local_light(look.key, vec3f(0.9, 0.25, 0.5), 1.0,
+        vec3f(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    let around_the_belly = local_light(turned_to_the_face, vec3f(0.4, 0.1, 0.35), 1.0,
+        vec3f(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    let turned_from_the_light = Angle(0.5 * length(surface.normal - around_the_belly.direction),
+        0.5 * length(surface.normal + around_the_belly.direction));
     let soft_tone = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    let shadow_under_the_chin = clamp(soft_tone + (1.0 - eased_2(length_of(surface.position_object - vec3f(0.0, 0.02, 0.45)), 0.3 * 0.1, 0.3)) * -0.45, 0.0, 1.0);
-    let glint_on_the_brow = clamp(shadow_under_the_chin + (1.0 - eased_2(length_of(surface.position_object - vec3f(-0.2, 0.72, 0.4)), 0.17 * 0.5, 0.17)) * 0.5, 0.0, 1.0);
-    let lit = step_filtered(glint_on_the_brow, 0.55, length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
-    let light = blend_alpha(vec4f(0.36, 0.36, 0.6, 1.0), vec4f(0.96, 0.72, 0.47, 1.0), lit, 1.0, true);
-    let brightest = step_filtered(glint_on_the_brow, 0.97, length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
-    let brightest_light = min(vec4f(light.xyz + brightest * (vec4f(1.0, 0.93, 0.76, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
+    let shadow_under_the_chin = clamp(soft_tone
+        + (1.0 - eased(length_of(surface.position_object - vec3f(0.0, 0.02, 0.45)), 0.3 * 0.1,
+        0.3)) * -0.45, 0.0, 1.0);
+    let glint_on_the_brow = clamp(shadow_under_the_chin
+        + (1.0 - eased(length_of(surface.position_object - vec3f(-0.2, 0.72, 0.4)), 0.17 * 0.5,
+        0.17)) * 0.5, 0.0, 1.0);
+    let lit = step_filtered(glint_on_the_brow, 0.55,
+        length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
+    let light = blend_alpha(vec4f(0.36, 0.36, 0.6, 1.0), vec4f(0.96, 0.72, 0.47, 1.0), lit, 1.0,
+        true);
+    let brightest = step_filtered(glint_on_the_brow, 0.97,
+        length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
+    let brightest_light = min(vec4f(light.xyz + brightest
+        * (vec4f(1.0, 0.93, 0.76, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.1, 1.0);
     let rim_s_light = blend_alpha_2(brightest_light, vec4f(0.72, 0.86, 1.0, 1.0), rim_2, 0.7, true);
-    let line = outer_contour(3.0, surface.normal, surface.view, look.viewport);
-    let folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
-    let all_lines = max(line, folds);
+    let folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal,
+        surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    let all_lines = max(outer_contour(3.0, surface.normal, surface.view, look.viewport), folds);
     let lines = blend_alpha_2(rim_s_light, vec4f(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
-    let output = lines;
-    return output;
+    return lines;
 }
 
 struct Vertex {
@@ -351,24 +315,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.position_camera = (view.camera_from_world * vec4f(in.position, 1.0)).xyz;
-    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, (view.camera_from_world * vec4f(in.position, 1.0)).xyz,
+        textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz);
+    return shade(surface);
 }

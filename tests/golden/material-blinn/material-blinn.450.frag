@@ -126,29 +126,26 @@ float reflectance_blinn_phong(Light light_3, vec3 normal_3, vec3 view_2, float r
     return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
-    float _e5 = reflectance_half_lambert(_e3, surface_1.normal);
+    float _e5 = reflectance_half_lambert(_e3, surface.normal);
     vec4 body = min(vec4((vec3(0.1647, 0.102, 0.0706) + (_e5 * vec3(0.851, 0.5412, 0.1686))), 1.0), vec4(1.0));
     Light _e23 = u_look.key;
-    float _e27 = reflectance_blinn_phong(_e23, surface_1.normal, surface_1.view, 0.38);
-    vec4 output_ = clamp(vec4((body.xyz + (0.3 * ((body.xyz + (_e27 * vec3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e27 = reflectance_blinn_phong(_e23, surface.normal, surface.view, 0.38);
+    vec4 highlight = clamp(vec4((body.xyz + (0.3 * ((body.xyz + (_e27 * vec3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return highlight;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

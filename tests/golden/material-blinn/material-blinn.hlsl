@@ -188,47 +188,52 @@ float reflectance_blinn_phong(Light light_3, float3 normal_3, float3 view_2, flo
     return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
-    const float _e5 = reflectance_half_lambert(_e3, surface_1.normal);
+    const float _e5 = reflectance_half_lambert(_e3, surface.normal);
     float4 body = min(float4((float3(0.1647, 0.102, 0.0706) + (_e5 * float3(0.851, 0.5412, 0.1686))), 1.0), (1.0).xxxx);
     Light _e23 = look.key;
-    const float _e27 = reflectance_blinn_phong(_e23, surface_1.normal, surface_1.view, 0.38);
-    float4 output = clamp(float4((body.xyz + (0.3 * ((body.xyz + (_e27 * float3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e27 = reflectance_blinn_phong(_e23, surface.normal, surface.view, 0.38);
+    float4 highlight = clamp(float4((body.xyz + (0.3 * ((body.xyz + (_e27 * float3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return highlight;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_3.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_3.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

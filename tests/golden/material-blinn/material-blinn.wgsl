@@ -54,8 +54,9 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -158,11 +159,13 @@ fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let half_lambert = reflectance_half_lambert(look.key, surface.normal);
-    let body = min(vec4f(vec4f(0.1647, 0.102, 0.0706, 1.0).xyz + half_lambert * vec4f(0.851, 0.5412, 0.1686, 1.0).xyz, 1.0), vec4f(1.0));
+    let body = min(vec4f(vec4f(0.1647, 0.102, 0.0706, 1.0).xyz + half_lambert
+        * vec4f(0.851, 0.5412, 0.1686, 1.0).xyz, 1.0), vec4f(1.0));
     let blinn_phong = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.38);
-    let highlight = clamp(vec4f(body.xyz + 0.3 * (body.xyz + blinn_phong * vec4f(1.0, 0.9529, 0.8627, 1.0).xyz - body.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = highlight;
-    return output;
+    let highlight = clamp(vec4f(body.xyz + 0.3
+        * (body.xyz + blinn_phong * vec4f(1.0, 0.9529, 0.8627, 1.0).xyz - body.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
+    return highlight;
 }
 
 struct Vertex {
@@ -179,20 +182,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

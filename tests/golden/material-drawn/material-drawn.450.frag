@@ -45,7 +45,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u);
 const ProfileShape window_tone_shape = ProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u);
 const ProfileShape rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u);
@@ -60,11 +59,6 @@ layout(location = 0) out vec4 out_color;
 
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -98,8 +92,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -134,43 +127,40 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle body_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
     Light _e25 = u_look.key;
     LitLayer _e31 = light_apply(_e25, vec4(0.2471, 0.4863, 0.7686, 1.0), _e22);
     vec4 _e41 = blend_alpha(vec4(0.1333, 0.1882, 0.3098, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = u_look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced(_e47, 0.0, window_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.9686, 0.9843, 1.0, 1.0), _e50);
     vec4 window_blend = clamp(vec4((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))), 1.0), vec4(0.0), vec4(1.0));
     vec3 _e79 = u_look.back.direction;
     vec3 _e88 = u_look.back.direction;
-    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e79))), (0.5 * length((surface_1.normal + _e88))));
+    Angle rim_angle = Angle((0.5 * length((surface.normal - _e79))), (0.5 * length((surface.normal + _e88))));
     float _e96 = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     Light _e99 = u_look.back;
     LitLayer _e105 = light_apply(_e99, vec4(0.2314, 0.3725, 0.5255, 1.0), _e96);
-    vec4 output_ = clamp(vec4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 rim_blend = clamp(vec4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return rim_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

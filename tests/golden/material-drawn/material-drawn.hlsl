@@ -89,7 +89,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u);
 static const ProfileShape window_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u);
 static const ProfileShape rim_tone_shape = ConstructProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u);
@@ -114,12 +113,6 @@ struct FragmentInput_fs_main {
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -176,8 +169,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 vie
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -215,61 +207,66 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
     Light _e25 = look.key;
     const LitLayer _e31 = light_apply(_e25, float4(0.2471, 0.4863, 0.7686, 1.0), _e22);
     const float4 _e41 = blend_alpha(float4(0.1333, 0.1882, 0.3098, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    const Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    const Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     const float _e50 = profile_balanced(_e47, 0.0, window_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.9686, 0.9843, 1.0, 1.0), _e50);
     float4 window_blend = clamp(float4((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float3 _e79 = look.back.direction;
     float3 _e88 = look.back.direction;
-    Angle rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e79))), (0.5 * length((surface_1.normal + _e88))));
+    Angle rim_angle = ConstructAngle((0.5 * length((surface.normal - _e79))), (0.5 * length((surface.normal + _e88))));
     const float _e96 = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     Light _e99 = look.back;
     const LitLayer _e105 = light_apply(_e99, float4(0.2314, 0.3725, 0.5255, 1.0), _e96);
-    float4 output = clamp(float4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    float4 rim_blend = clamp(float4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return rim_blend;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

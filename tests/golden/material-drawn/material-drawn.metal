@@ -66,7 +66,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape body_tone_shape = ProfileShape {0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u};
 constant ProfileShape window_tone_shape = ProfileShape {0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u};
 constant ProfileShape rim_tone_shape = ProfileShape {0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u};
@@ -75,13 +74,6 @@ metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -137,8 +129,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -186,30 +177,30 @@ float profile_balanced(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
     Light _e25 = look.key;
     LitLayer _e31 = light_apply(_e25, metal::float4(0.2471, 0.4863, 0.7686, 1.0), _e22);
     Composite _e41 = blend_alpha(metal::float4(0.1333, 0.1882, 0.3098, 1.0), _e31.color, _e31.tone, 1.0, true);
     Light _e44 = look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface_1.normal, surface_1.view);
+    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
     float _e50 = profile_balanced(_e47, 0.0, window_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.9686, 0.9843, 1.0, 1.0), _e50);
     metal::float4 window_blend = metal::clamp(metal::float4(_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 _e79 = look.back.direction;
     metal::float3 _e88 = look.back.direction;
-    Angle rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e79), 0.5 * metal::length(surface_1.normal + _e88)};
+    Angle rim_angle = Angle {0.5 * metal::length(surface.normal - _e79), 0.5 * metal::length(surface.normal + _e88)};
     float _e96 = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     Light _e99 = look.back;
     LitLayer _e105 = light_apply(_e99, metal::float4(0.2314, 0.3725, 0.5255, 1.0), _e96);
-    metal::float4 output = metal::clamp(metal::float4(window_blend.xyz + (_e105.tone * _e105.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    metal::float4 rim_blend = metal::clamp(metal::float4(window_blend.xyz + (_e105.tone * _e105.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return rim_blend;
 }
 
 struct vs_mainInput {
@@ -227,16 +218,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -256,14 +242,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

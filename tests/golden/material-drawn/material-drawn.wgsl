@@ -62,19 +62,10 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -143,8 +134,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -187,20 +177,24 @@ const rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605,
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.key, vec4f(0.2471, 0.4863, 0.7686, 1.0), body_tone);
-    let body_blend = blend_alpha(vec4f(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let body_blend = blend_alpha(vec4f(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
     let window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let window_tone = profile_balanced(window_angle, 0.0, window_tone_shape);
     let window_lit = light_apply(look.key, vec4f(0.9686, 0.9843, 1.0, 1.0), window_tone);
-    let window_blend = clamp(vec4f(body_blend.xyz + window_lit.tone * (window_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let rim_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let window_blend = clamp(vec4f(body_blend.xyz + window_lit.tone
+        * (window_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let rim_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let rim_tone = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     let rim_lit = light_apply(look.back, vec4f(0.2314, 0.3725, 0.5255, 1.0), rim_tone);
-    let rim_blend = clamp(vec4f(window_blend.xyz + rim_lit.tone * rim_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = rim_blend;
-    return output;
+    let rim_blend = clamp(vec4f(window_blend.xyz + rim_lit.tone * rim_lit.color.xyz, 1.0),
+        vec4f(0.0), vec4f(1.0));
+    return rim_blend;
 }
 
 struct Vertex {
@@ -217,20 +211,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

@@ -235,8 +235,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = (_e67 + 1);
+            int _e66 = i_1;
+            i_1 = (_e66 + 1);
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -262,12 +262,12 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float reflectance_blinn_phong(Light light_2, vec3 normal_2, vec3 view_2, float roughness_1) {
@@ -295,15 +295,14 @@ float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_2,
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 place_1 = surface_1.position_object;
-    float _e6 = noise_perlin(place_1, 1.3, 2, 0.5, 0);
+vec4 shade(Surface surface) {
+    float _e6 = noise_perlin(surface.position_object, 1.3, 2, 0.5, 0);
     float thickness_1 = mix(180.0, 420.0, (_e6 - 0.0));
-    vec4 _e15 = thin_film(thickness_1, 1.33, surface_1.normal, surface_1.view);
-    float _e23 = schlick(0.45, clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0));
+    vec4 _e15 = thin_film(thickness_1, 1.33, surface.normal, surface.view);
+    float _e23 = schlick(0.45, clamp(dot(surface.normal, surface.view), 0.0, 1.0));
     vec4 film_2_ = min(vec4((vec3(0.0784, 0.0863, 0.1216) + (_e23 * _e15.xyz)), 1.0), vec4(1.0));
     Light _e38 = u_look.key;
-    float _e42 = reflectance_blinn_phong(_e38, surface_1.normal, surface_1.view, 0.22);
+    float _e42 = reflectance_blinn_phong(_e38, surface.normal, surface.view, 0.22);
     vec4 _e47 = blend_add(film_2_, vec4(1.0), _e42, 0.2, true);
     return _e47;
 }
@@ -311,17 +310,13 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    vec4 _e24 = shade(_e23);
-    out_color = _e24;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    vec4 _e20 = shade(surface_1);
+    out_color = _e20;
     return;
 }
 

@@ -324,8 +324,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_1;
+            i_1 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -351,12 +351,12 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float reflectance_blinn_phong(Light light_2, float3 normal_2, float3 view_2, float roughness_1)
@@ -387,52 +387,56 @@ float noise_perlin(float3 position, float scale, int octaves_1, float roughness_
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float3 place_1 = surface_1.position_object;
-    const float _e6 = noise_perlin(place_1, 1.3, int(2), 0.5, int(0));
+    const float _e6 = noise_perlin(surface.position_object, 1.3, int(2), 0.5, int(0));
     float thickness_1 = lerp(180.0, 420.0, (_e6 - 0.0));
-    const float4 _e15 = thin_film(thickness_1, 1.33, surface_1.normal, surface_1.view);
-    const float _e23 = schlick(0.45, clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0));
+    const float4 _e15 = thin_film(thickness_1, 1.33, surface.normal, surface.view);
+    const float _e23 = schlick(0.45, clamp(dot(surface.normal, surface.view), 0.0, 1.0));
     float4 film_2_ = min(float4((float3(0.0784, 0.0863, 0.1216) + (_e23 * _e15.xyz)), 1.0), (1.0).xxxx);
     Light _e38 = look.key;
-    const float _e42 = reflectance_blinn_phong(_e38, surface_1.normal, surface_1.view, 0.22);
+    const float _e42 = reflectance_blinn_phong(_e38, surface.normal, surface.view, 0.22);
     const float4 _e47 = blend_add(film_2_, (1.0).xxxx, _e42, 0.2, true);
     return _e47;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_4.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_4.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_4.eye;
-    float _e16 = view_4.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    const float4 _e24 = shade(_e23);
-    return _e24;
+    float4 _e8 = view_4.eye;
+    float _e13 = view_4.eye.w;
+    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    const float4 _e20 = shade(surface_1);
+    return _e20;
 }

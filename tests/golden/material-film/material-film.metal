@@ -326,8 +326,8 @@ float fractal_noise(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -353,12 +353,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_1;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_1;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float reflectance_blinn_phong(
@@ -403,17 +403,16 @@ float noise_perlin(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    metal::float3 place_1 = surface_1.position_object;
-    float _e6 = noise_perlin(place_1, 1.3, 2, 0.5, 0);
+    float _e6 = noise_perlin(surface.position_object, 1.3, 2, 0.5, 0);
     float thickness_1 = metal::mix(180.0, 420.0, _e6 - 0.0);
-    Color _e15 = thin_film(thickness_1, 1.33, surface_1.normal, surface_1.view);
-    float _e23 = schlick(0.45, metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0));
+    Color _e15 = thin_film(thickness_1, 1.33, surface.normal, surface.view);
+    float _e23 = schlick(0.45, metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0));
     metal::float4 film_2_ = metal::min(metal::float4(metal::float3(0.0784, 0.0863, 0.1216) + (_e23 * _e15.xyz), 1.0), metal::float4(1.0));
     Light _e38 = look.key;
-    float _e42 = reflectance_blinn_phong(_e38, surface_1.normal, surface_1.view, 0.22);
+    float _e42 = reflectance_blinn_phong(_e38, surface.normal, surface.view, 0.22);
     Composite _e47 = blend_add(film_2_, metal::float4(1.0), _e42, 0.2, true);
     return _e47;
 }
@@ -434,17 +433,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_4.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_4.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -465,15 +458,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_4 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_4;
-    metal::float4 _e11 = view_4.eye;
-    float _e16 = view_4.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    Surface _e23 = surface;
-    metal::float4 _e24 = shade(_e23, look);
-    return fs_mainOutput { _e24 };
+    metal::float4 _e8 = view_4.eye;
+    float _e13 = view_4.eye.w;
+    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object};
+    metal::float4 _e20 = shade(surface_1, look);
+    return fs_mainOutput { _e20 };
 }

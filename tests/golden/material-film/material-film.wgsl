@@ -62,8 +62,9 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -255,7 +256,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -291,16 +292,15 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let place = surface.position_object;
-    let swirl = noise_perlin(place, 1.3, 2i, 0.5, 0i);
+    let swirl = noise_perlin(surface.position_object, 1.3, 2i, 0.5, 0i);
     let thickness = mix(180.0, 420.0, swirl - 0.0);
     let film = thin_film(thickness, 1.33, surface.normal, surface.view);
     let glow = schlick(0.45, clamp(dot(surface.normal, surface.view), 0.0, 1.0));
-    let film_2 = min(vec4f(vec4f(0.0784, 0.0863, 0.1216, 1.0).xyz + glow * film.xyz, 1.0), vec4f(1.0));
+    let film_2 = min(vec4f(vec4f(0.0784, 0.0863, 0.1216, 1.0).xyz + glow * film.xyz, 1.0),
+        vec4f(1.0));
     let highlight = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.22);
     let highlight_on_top = blend_add(film_2, vec4f(1.0), highlight, 0.2, true);
-    let output = highlight_on_top;
-    return output;
+    return highlight_on_top;
 }
 
 struct Vertex {
@@ -318,22 +318,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object);
+    return shade(surface);
 }

@@ -89,30 +89,27 @@ float ggx(Reflection r, float width, float at_normal_1) {
     return min((((distribution * visibility) * _e49) * r.n_l), 1000000.0);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     vec4 body = vec4((vec3(0.0784, 0.0863, 0.1098) + (lambert * vec3(0.2353, 0.2667, 0.3137))), 1.0);
     vec3 _e24 = u_look.key.direction;
-    Reflection _e27 = reflection_of(_e24, surface_1.normal, surface_1.view);
+    Reflection _e27 = reflection_of(_e24, surface.normal, surface.view);
     float _e30 = ggx(_e27, 0.1764, 0.85);
-    vec4 output_ = clamp(vec4((body.xyz + (0.5 * ((body.xyz + (_e30 * vec3(0.9098, 0.9333, 0.9647))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 highlight = clamp(vec4((body.xyz + (0.5 * ((body.xyz + (_e30 * vec3(0.9098, 0.9333, 0.9647))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return highlight;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

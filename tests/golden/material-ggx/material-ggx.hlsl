@@ -142,48 +142,53 @@ float ggx(Reflection r, float width, float at_normal_1)
     return min((((distribution * visibility) * _e49) * r.n_l), 1000000.0);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     float4 body = float4((float3(0.0784, 0.0863, 0.1098) + (lambert * float3(0.2353, 0.2667, 0.3137))), 1.0);
     float3 _e24 = look.key.direction;
-    const Reflection _e27 = reflection_of(_e24, surface_1.normal, surface_1.view);
+    const Reflection _e27 = reflection_of(_e24, surface.normal, surface.view);
     const float _e30 = ggx(_e27, 0.1764, 0.85);
-    float4 output = clamp(float4((body.xyz + (0.5 * ((body.xyz + (_e30 * float3(0.9098, 0.9333, 0.9647))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    float4 highlight = clamp(float4((body.xyz + (0.5 * ((body.xyz + (_e30 * float3(0.9098, 0.9333, 0.9647))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return highlight;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_2.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_2.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

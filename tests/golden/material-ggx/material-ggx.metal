@@ -124,17 +124,17 @@ float ggx(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float lambert = metal::max(metal::dot(surface_1.normal, _e5), 0.0);
+    float lambert = metal::max(metal::dot(surface.normal, _e5), 0.0);
     metal::float4 body = metal::float4(metal::float3(0.0784, 0.0863, 0.1098) + (lambert * metal::float3(0.2353, 0.2667, 0.3137)), 1.0);
     metal::float3 _e24 = look.key.direction;
-    Reflection _e27 = reflection_of(_e24, surface_1.normal, surface_1.view);
+    Reflection _e27 = reflection_of(_e24, surface.normal, surface.view);
     float _e30 = ggx(_e27, 0.1764, 0.85);
-    metal::float4 output = metal::clamp(metal::float4(body.xyz + (0.5 * ((body.xyz + (_e30 * metal::float3(0.9098, 0.9333, 0.9647))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.5 * ((body.xyz + (_e30 * metal::float3(0.9098, 0.9333, 0.9647))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return highlight;
 }
 
 struct vs_mainInput {
@@ -152,16 +152,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_2.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_2.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -181,14 +176,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_2.eye;
-    float _e16 = view_2.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view_2.eye;
+    float _e13 = view_2.eye.w;
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

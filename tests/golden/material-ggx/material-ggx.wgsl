@@ -116,11 +116,14 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
-    let body = vec4f(vec4f(0.0784, 0.0863, 0.1098, 1.0).xyz + lambert * vec4f(0.2353, 0.2667, 0.3137, 1.0).xyz, 1.0);
-    let ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.42 * 0.42, 0.85);
-    let highlight = clamp(vec4f(body.xyz + 0.5 * (body.xyz + ggx_2 * vec4f(0.9098, 0.9333, 0.9647, 1.0).xyz - body.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = highlight;
-    return output;
+    let body = vec4f(vec4f(0.0784, 0.0863, 0.1098, 1.0).xyz + lambert
+        * vec4f(0.2353, 0.2667, 0.3137, 1.0).xyz, 1.0);
+    let ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.42 * 0.42,
+        0.85);
+    let highlight = clamp(vec4f(body.xyz + 0.5
+        * (body.xyz + ggx_2 * vec4f(0.9098, 0.9333, 0.9647, 1.0).xyz - body.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    return highlight;
 }
 
 struct Vertex {
@@ -137,20 +140,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

@@ -52,26 +52,23 @@ float oren_nayar(vec3 light, vec3 normal, vec3 view, float sigma) {
     return (n_l * (a + ((b * max(across, 0.0)) / larger)));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e4 = u_look.key.direction;
-    float _e8 = oren_nayar(_e4, surface_1.normal, surface_1.view, 0.9);
-    vec4 output_ = min(vec4((vec3(0.1725, 0.1647, 0.2) + (_e8 * vec3(0.851, 0.7961, 0.698))), 1.0), vec4(1.0));
-    return output_;
+    float _e8 = oren_nayar(_e4, surface.normal, surface.view, 0.9);
+    vec4 body = min(vec4((vec3(0.1725, 0.1647, 0.2) + (_e8 * vec3(0.851, 0.7961, 0.698))), 1.0), vec4(1.0));
+    return body;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

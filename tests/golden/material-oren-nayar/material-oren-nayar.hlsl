@@ -88,44 +88,49 @@ float oren_nayar(float3 light, float3 normal, float3 view, float sigma)
     return (n_l * (a + ((b * max(across, 0.0)) / larger)));
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e4 = look.key.direction;
-    const float _e8 = oren_nayar(_e4, surface_1.normal, surface_1.view, 0.9);
-    float4 output = min(float4((float3(0.1725, 0.1647, 0.2) + (_e8 * float3(0.851, 0.7961, 0.698))), 1.0), (1.0).xxxx);
-    return output;
+    const float _e8 = oren_nayar(_e4, surface.normal, surface.view, 0.9);
+    float4 body = min(float4((float3(0.1725, 0.1647, 0.2) + (_e8 * float3(0.851, 0.7961, 0.698))), 1.0), (1.0).xxxx);
+    return body;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

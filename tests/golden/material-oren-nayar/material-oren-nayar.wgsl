@@ -74,9 +74,9 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let oren_nayar_2 = oren_nayar(look.key.direction, surface.normal, surface.view, 0.9);
-    let body = min(vec4f(vec4f(0.1725, 0.1647, 0.2, 1.0).xyz + oren_nayar_2 * vec4f(0.851, 0.7961, 0.698, 1.0).xyz, 1.0), vec4f(1.0));
-    let output = body;
-    return output;
+    let body = min(vec4f(vec4f(0.1725, 0.1647, 0.2, 1.0).xyz + oren_nayar_2
+        * vec4f(0.851, 0.7961, 0.698, 1.0).xyz, 1.0), vec4f(1.0));
+    return body;
 }
 
 struct Vertex {
@@ -93,20 +93,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

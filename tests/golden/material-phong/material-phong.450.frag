@@ -106,12 +106,12 @@ float reflectance_phong(Light light, vec3 normal, vec3 view, float roughness) {
     return (((0.5 * (e + 2.0)) * _e24) * n_l);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     vec4 body = vec4((vec3(0.1647, 0.0706, 0.1255) + (lambert * vec3(0.7608, 0.2314, 0.2275))), 1.0);
     Light _e23 = u_look.key;
-    float _e27 = reflectance_phong(_e23, surface_1.normal, surface_1.view, 0.42);
+    float _e27 = reflectance_phong(_e23, surface.normal, surface.view, 0.42);
     vec4 _e32 = blend_add(body, vec4(1.0), _e27, 0.32, true);
     return _e32;
 }
@@ -119,16 +119,13 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

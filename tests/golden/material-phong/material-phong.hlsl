@@ -154,47 +154,52 @@ float reflectance_phong(Light light, float3 normal, float3 view, float roughness
     return (((0.5 * (e + 2.0)) * _e24) * n_l);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     float4 body = float4((float3(0.1647, 0.0706, 0.1255) + (lambert * float3(0.7608, 0.2314, 0.2275))), 1.0);
     Light _e23 = look.key;
-    const float _e27 = reflectance_phong(_e23, surface_1.normal, surface_1.view, 0.42);
+    const float _e27 = reflectance_phong(_e23, surface.normal, surface.view, 0.42);
     const float4 _e32 = blend_add(body, (1.0).xxxx, _e27, 0.32, true);
     return _e32;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

@@ -60,8 +60,9 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -135,19 +136,19 @@ fn reflectance_phong(light: Light, normal: vec3f, view: vec3f, roughness: f32) -
     let e = 2.0 / (width * width) - 2.0;
     let n_l = max(dot(normal, light.direction), 0.0);
     let mirrored = normalize_moderate(2.0 * dot(normal, view) * normal - view, normal);
-    let shine = cosine_power(dot(mirrored, light.direction), sine_squared(mirrored,
-        light.direction), e);
+    let shine = cosine_power(dot(mirrored, light.direction),
+        sine_squared(mirrored, light.direction), e);
     return 0.5 * (e + 2.0) * shine * n_l;
 }
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
-    let body = vec4f(vec4f(0.1647, 0.0706, 0.1255, 1.0).xyz + lambert * vec4f(0.7608, 0.2314, 0.2275, 1.0).xyz, 1.0);
+    let body = vec4f(vec4f(0.1647, 0.0706, 0.1255, 1.0).xyz + lambert
+        * vec4f(0.7608, 0.2314, 0.2275, 1.0).xyz, 1.0);
     let phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);
     let highlight = blend_add(body, vec4f(1.0), phong, 0.32, true);
-    let output = highlight;
-    return output;
+    return highlight;
 }
 
 struct Vertex {
@@ -164,20 +165,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return shade(surface);
 }

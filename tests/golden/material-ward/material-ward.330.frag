@@ -79,14 +79,14 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 mat3x3 world_from_tangent(vec3 tangent, vec3 bitangent, vec3 normal) {
-    vec3 _e5 = normalize_or(tangent, vec3(0.0));
-    vec3 leaning = (_e5 - (dot(_e5, normal) * normal));
+    vec3 t = (tangent * inversesqrt(max(dot(tangent, tangent), 1e-30)));
+    vec3 leaning = (t - (dot(t, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
-    vec3 _e12 = any_orthogonal(normal);
-    vec3 _e18 = normalize_or((is_usable ? leaning : _e12), vec3(1.0, 0.0, 0.0));
-    vec3 _e26 = normalize_moderate((_e18 - (dot(_e18, normal) * normal)), vec3(1.0, 0.0, 0.0));
-    vec3 b = cross(normal, _e26);
-    return mat3x3(_e26, b, normal);
+    vec3 _e14 = any_orthogonal(normal);
+    vec3 _e20 = normalize_or((is_usable ? leaning : _e14), vec3(1.0, 0.0, 0.0));
+    vec3 _e28 = normalize_moderate((_e20 - (dot(_e20, normal) * normal)), vec3(1.0, 0.0, 0.0));
+    vec3 b = cross(normal, _e28);
+    return mat3x3(_e28, b, normal);
 }
 
 vec3 half_of(vec3 light, vec3 normal_1, vec3 view) {
@@ -115,31 +115,27 @@ float reflectance_ward(Light light_2, vec3 normal_3, vec3 view_2, vec3 tangent_1
     return _e16;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     vec4 body = vec4((vec3(0.098, 0.1059, 0.1333) + (lambert * vec3(0.3529, 0.3961, 0.4392))), 1.0);
     Light _e23 = u_look.key;
-    float _e29 = reflectance_ward(_e23, surface_1.normal, surface_1.view, surface_1.tangent, 0.5, 0.2);
-    vec4 output_ = clamp(vec4((body.xyz + (0.55 * ((body.xyz + (_e29 * vec3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e29 = reflectance_ward(_e23, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
+    vec4 highlight = clamp(vec4((body.xyz + (0.55 * ((body.xyz + (_e29 * vec3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return highlight;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal, v_tangent);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec3 _e31 = normalize_or((in_.tangent.xyz - (normal_4 * dot(normal_4, in_.tangent.xyz))), in_.tangent.xyz);
-    surface.tangent = _e31;
-    Surface _e32 = surface;
-    vec4 _e33 = shade(_e32);
-    out_color = _e33;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec3 _e27 = normalize_moderate((in_.tangent.xyz - (normal_4 * dot(normal_4, in_.tangent.xyz))), vec3(0.0));
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e27);
+    vec4 _e29 = shade(surface_1);
+    out_color = _e29;
     return;
 }
 

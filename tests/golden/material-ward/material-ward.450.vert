@@ -38,22 +38,17 @@ layout(location = 2) smooth out vec4 v_tangent;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal, a_tangent);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec4(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.position = world.xyz;
-    mat3x3 _e19 = u_object.world_from_normal;
-    out_.normal = (_e19 * vertex.normal);
-    mat4x4 _e25 = u_object.world_from_object;
-    mat3x3 _e39 = u_object.world_from_normal;
-    out_.tangent = vec4((_e25 * vec4(vertex.tangent.xyz, 0.0)).xyz, ((determinant(_e39) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w));
-    Varyings _e45 = out_;
-    gl_Position = _e45.clip;
-    v_position = _e45.position;
-    v_normal = _e45.normal;
-    v_tangent = _e45.tangent;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e15 = u_object.world_from_normal;
+    mat4x4 _e20 = u_object.world_from_object;
+    mat3x3 _e34 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, (_e15 * vertex.normal), vec4((_e20 * vec4(vertex.tangent.xyz, 0.0)).xyz, ((determinant(_e34) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_normal = _tmp_return.normal;
+    v_tangent = _tmp_return.tangent;
     return;
 }
 

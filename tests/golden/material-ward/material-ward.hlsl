@@ -127,14 +127,14 @@ float3 any_orthogonal(float3 n)
 
 float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 {
-    const float3 _e5 = normalize_or(tangent, (0.0).xxx);
-    float3 leaning = (_e5 - (dot(_e5, normal) * normal));
+    float3 t = (tangent * rsqrt(max(dot(tangent, tangent), 1e-30)));
+    float3 leaning = (t - (dot(t, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
-    const float3 _e12 = any_orthogonal(normal);
-    const float3 _e18 = normalize_or((is_usable ? leaning : _e12), float3(1.0, 0.0, 0.0));
-    const float3 _e26 = normalize_moderate((_e18 - (dot(_e18, normal) * normal)), float3(1.0, 0.0, 0.0));
-    float3 b = cross(normal, _e26);
-    return float3x3(_e26, b, normal);
+    const float3 _e14 = any_orthogonal(normal);
+    const float3 _e20 = normalize_or((is_usable ? leaning : _e14), float3(1.0, 0.0, 0.0));
+    const float3 _e28 = normalize_moderate((_e20 - (dot(_e20, normal) * normal)), float3(1.0, 0.0, 0.0));
+    float3 b = cross(normal, _e28);
+    return float3x3(_e28, b, normal);
 }
 
 float3 half_of(float3 light, float3 normal_1, float3 view)
@@ -166,52 +166,57 @@ float reflectance_ward(Light light_2, float3 normal_3, float3 view_2, float3 tan
     return _e16;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, _e5), 0.0);
     float4 body = float4((float3(0.098, 0.1059, 0.1333) + (lambert * float3(0.3529, 0.3961, 0.4392))), 1.0);
     Light _e23 = look.key;
-    const float _e29 = reflectance_ward(_e23, surface_1.normal, surface_1.view, surface_1.tangent, 0.5, 0.2);
-    float4 output = clamp(float4((body.xyz + (0.55 * ((body.xyz + (_e29 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e29 = reflectance_ward(_e23, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
+    float4 highlight = clamp(float4((body.xyz + (0.55 * ((body.xyz + (_e29 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return highlight;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float4 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    ret.tangent = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_3.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    float4x4 _e25 = object.world_from_object;
-    float3x3 _e39 = object.world_from_normal;
-    out_.tangent = float4(mul(float4(vertex.tangent.xyz, 0.0), _e25).xyz, ((determinant(_e39) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w));
-    Varyings _e45 = out_;
-    const Varyings varyings = _e45;
+    float4x4 _e10 = view_3.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    float4x4 _e20 = object.world_from_object;
+    float3x3 _e34 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15), float4(mul(float4(vertex.tangent.xyz, 0.0), _e20).xyz, ((determinant(_e34) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.tangent, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.tangent = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5, fragmentinput_fs_main.tangent_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    const float3 _e31 = normalize_or((in_.tangent.xyz - (normal_6 * dot(normal_6, in_.tangent.xyz))), in_.tangent.xyz);
-    surface.tangent = _e31;
-    Surface _e32 = surface;
-    const float4 _e33 = shade(_e32);
-    return _e33;
+    float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    const float3 _e27 = normalize_moderate((in_.tangent.xyz - (normal_6 * dot(normal_6, in_.tangent.xyz))), (0.0).xxx);
+    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), _e27);
+    const float4 _e29 = shade(surface_1);
+    return _e29;
 }

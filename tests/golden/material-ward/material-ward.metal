@@ -112,14 +112,14 @@ metal::float3x3 world_from_tangent(
     metal::float3 bitangent,
     metal::float3 normal
 ) {
-    metal::float3 _e5 = normalize_or(tangent, metal::float3(0.0));
-    metal::float3 leaning = _e5 - (metal::dot(_e5, normal) * normal);
+    metal::float3 t = tangent * metal::rsqrt(metal::max(metal::dot(tangent, tangent), 0.000000000000000000000000000001));
+    metal::float3 leaning = t - (metal::dot(t, normal) * normal);
     bool is_usable = metal::dot(leaning, leaning) > 0.00000001;
-    metal::float3 _e12 = any_orthogonal(normal);
-    metal::float3 _e18 = normalize_or(is_usable ? leaning : _e12, metal::float3(1.0, 0.0, 0.0));
-    metal::float3 _e26 = normalize_moderate(_e18 - (metal::dot(_e18, normal) * normal), metal::float3(1.0, 0.0, 0.0));
-    metal::float3 b = metal::cross(normal, _e26);
-    return metal::float3x3(_e26, b, normal);
+    metal::float3 _e14 = any_orthogonal(normal);
+    metal::float3 _e20 = normalize_or(is_usable ? leaning : _e14, metal::float3(1.0, 0.0, 0.0));
+    metal::float3 _e28 = normalize_moderate(_e20 - (metal::dot(_e20, normal) * normal), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 b = metal::cross(normal, _e28);
+    return metal::float3x3(_e28, b, normal);
 }
 
 metal::float3 half_of(
@@ -167,16 +167,16 @@ float reflectance_ward(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float lambert = metal::max(metal::dot(surface_1.normal, _e5), 0.0);
+    float lambert = metal::max(metal::dot(surface.normal, _e5), 0.0);
     metal::float4 body = metal::float4(metal::float3(0.098, 0.1059, 0.1333) + (lambert * metal::float3(0.3529, 0.3961, 0.4392)), 1.0);
     Light _e23 = look.key;
-    float _e29 = reflectance_ward(_e23, surface_1.normal, surface_1.view, surface_1.tangent, 0.5, 0.2);
-    metal::float4 output = metal::clamp(metal::float4(body.xyz + (0.55 * ((body.xyz + (_e29 * metal::float3(0.9569, 0.9412, 0.902))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e29 = reflectance_ward(_e23, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
+    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.55 * ((body.xyz + (_e29 * metal::float3(0.9569, 0.9412, 0.902))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return highlight;
 }
 
 struct vs_mainInput {
@@ -196,19 +196,13 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_4, varyings.tangent_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_3.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    metal::float4x4 _e25 = object.world_from_object;
-    metal::float3x3 _e39 = object.world_from_normal;
-    out.tangent = metal::float4((_e25 * metal::float4(vertex_.tangent.xyz, 0.0)).xyz, (metal::determinant(_e39) < 0.0) ? -(vertex_.tangent.w) : vertex_.tangent.w);
-    Varyings _e45 = out;
-    const auto _tmp = _e45;
+    metal::float4x4 _e10 = view_3.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    metal::float4x4 _e20 = object.world_from_object;
+    metal::float3x3 _e34 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal, metal::float4((_e20 * metal::float4(vertex_.tangent.xyz, 0.0)).xyz, (metal::determinant(_e34) < 0.0) ? -(vertex_.tangent.w) : vertex_.tangent.w)};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal, _tmp.tangent };
 }
 
@@ -229,16 +223,12 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4, varyings_1.tangent_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_4;
-    metal::float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float3 _e31 = normalize_or(in.tangent.xyz - (normal_4 * metal::dot(normal_4, in.tangent.xyz)), in.tangent.xyz);
-    surface.tangent = _e31;
-    Surface _e32 = surface;
-    metal::float4 _e33 = shade(_e32, look);
-    return fs_mainOutput { _e33 };
+    metal::float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    metal::float3 _e27 = normalize_moderate(in.tangent.xyz - (normal_4 * metal::dot(normal_4, in.tangent.xyz)), metal::float3(0.0));
+    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), _e27};
+    metal::float4 _e29 = shade(surface_1, look);
+    return fs_mainOutput { _e29 };
 }

@@ -76,8 +76,9 @@ fn exp2_stable(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -98,11 +99,11 @@ fn normalize_seen_balanced(v: vec3f) -> vec3f {
 /// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
 /// along the normal, another one takes its place.
 fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3f {
-    let t = normalize_or(tangent, vec3f(0.0));
+    let t = tangent * inverseSqrt(max(dot(tangent, tangent), 1e-30));
     let leaning = t - dot(t, normal) * normal;
     let is_usable = dot(leaning, leaning) > 1e-8;
-    let rough = normalize_or(select(any_orthogonal(normal), leaning, is_usable), vec3f(1.0, 0.0,
-        0.0));
+    let rough = normalize_or(select(any_orthogonal(normal), leaning, is_usable),
+        vec3f(1.0, 0.0, 0.0));
     let upright = normalize_moderate(rough - dot(rough, normal) * normal, vec3f(1.0, 0.0, 0.0));
     let b = cross(normal, upright);
     return mat3x3f(upright, b, normal);
@@ -147,11 +148,14 @@ fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, ro
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
-    let body = vec4f(vec4f(0.098, 0.1059, 0.1333, 1.0).xyz + lambert * vec4f(0.3529, 0.3961, 0.4392, 1.0).xyz, 1.0);
-    let ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
-    let highlight = clamp(vec4f(body.xyz + 0.55 * (body.xyz + ward_2 * vec4f(0.9569, 0.9412, 0.902, 1.0).xyz - body.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = highlight;
-    return output;
+    let body = vec4f(vec4f(0.098, 0.1059, 0.1333, 1.0).xyz + lambert
+        * vec4f(0.3529, 0.3961, 0.4392, 1.0).xyz, 1.0);
+    let ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5,
+        0.2);
+    let highlight = clamp(vec4f(body.xyz + 0.55
+        * (body.xyz + ward_2 * vec4f(0.9569, 0.9412, 0.902, 1.0).xyz - body.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    return highlight;
 }
 
 struct Vertex {
@@ -170,22 +174,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    out.tangent = vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, select(vertex.tangent.w, -vertex.tangent.w, determinant(object.world_from_normal) < 0.0));
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal, vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz,
+        select(vertex.tangent.w, -vertex.tangent.w, determinant(object.world_from_normal) < 0.0)));
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.tangent = normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz);
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        normalize_moderate(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), vec3f(0.0)));
+    return shade(surface);
 }

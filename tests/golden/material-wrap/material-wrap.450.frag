@@ -121,29 +121,26 @@ float reflectance_blinn_phong(Light light_2, vec3 normal_2, vec3 view_2, float r
     return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float wrap = max(((dot(surface_1.normal, _e5) + 0.7) / 1.7), 0.0);
+    float wrap = max(((dot(surface.normal, _e5) + 0.7) / 1.7), 0.0);
     vec4 body = min(vec4((vec3(0.2902, 0.1137, 0.1333) + (wrap * vec3(0.851, 0.4706, 0.3725))), 1.0), vec4(1.0));
     Light _e30 = u_look.key;
-    float _e34 = reflectance_blinn_phong(_e30, surface_1.normal, surface_1.view, 0.6);
-    vec4 output_ = clamp(vec4((body.xyz + (0.25 * ((body.xyz + (_e34 * vec3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e34 = reflectance_blinn_phong(_e30, surface.normal, surface.view, 0.6);
+    vec4 highlight = clamp(vec4((body.xyz + (0.25 * ((body.xyz + (_e34 * vec3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return highlight;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    out_color = _e22;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    out_color = _e19;
     return;
 }
 

@@ -182,47 +182,52 @@ float reflectance_blinn_phong(Light light_2, float3 normal_2, float3 view_2, flo
     return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float wrap = max(((dot(surface_1.normal, _e5) + 0.7) / 1.7), 0.0);
+    float wrap = max(((dot(surface.normal, _e5) + 0.7) / 1.7), 0.0);
     float4 body = min(float4((float3(0.2902, 0.1137, 0.1333) + (wrap * float3(0.851, 0.4706, 0.3725))), 1.0), (1.0).xxxx);
     Light _e30 = look.key;
-    const float _e34 = reflectance_blinn_phong(_e30, surface_1.normal, surface_1.view, 0.6);
-    float4 output = clamp(float4((body.xyz + (0.25 * ((body.xyz + (_e34 * float3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e34 = reflectance_blinn_phong(_e30, surface.normal, surface.view, 0.6);
+    float4 highlight = clamp(float4((body.xyz + (0.25 * ((body.xyz + (_e34 * float3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return highlight;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_3.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_3.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    return _e22;
+    float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    return _e19;
 }

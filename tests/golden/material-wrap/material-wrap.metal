@@ -169,16 +169,16 @@ float reflectance_blinn_phong(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float wrap = metal::max((metal::dot(surface_1.normal, _e5) + 0.7) / 1.7, 0.0);
+    float wrap = metal::max((metal::dot(surface.normal, _e5) + 0.7) / 1.7, 0.0);
     metal::float4 body = metal::min(metal::float4(metal::float3(0.2902, 0.1137, 0.1333) + (wrap * metal::float3(0.851, 0.4706, 0.3725)), 1.0), metal::float4(1.0));
     Light _e30 = look.key;
-    float _e34 = reflectance_blinn_phong(_e30, surface_1.normal, surface_1.view, 0.6);
-    metal::float4 output = metal::clamp(metal::float4(body.xyz + (0.25 * ((body.xyz + (_e34 * metal::float3(1.0, 0.8902, 0.8))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e34 = reflectance_blinn_phong(_e30, surface.normal, surface.view, 0.6);
+    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.25 * ((body.xyz + (_e34 * metal::float3(1.0, 0.8902, 0.8))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return highlight;
 }
 
 struct vs_mainInput {
@@ -196,16 +196,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_3.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_3.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -225,14 +220,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_3.eye;
-    float _e16 = view_3.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    Surface _e21 = surface;
-    metal::float4 _e22 = shade(_e21, look);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e8 = view_3.eye;
+    float _e13 = view_3.eye.w;
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position))};
+    metal::float4 _e19 = shade(surface_1, look);
+    return fs_mainOutput { _e19 };
 }

@@ -144,10 +144,6 @@ RampPlace ramp_place(Ramp ramp, float x_1) {
     return RampPlace(_e59, _e61, t);
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 vec4 ramp_oklab(float value, Ramp ramp_1) {
     RampPlace _e2 = ramp_place(ramp_1, value);
     vec3 _e5 = oklab_of_srgb(_e2.before.xyz);
@@ -161,30 +157,26 @@ float reflectance_half_lambert(Light light_1, vec3 normal) {
     return min((half_ * half_), 1.0);
 }
 
-vec4 shade(Surface surface_1) {
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e14 = curvature_signed_balanced(curvature, 0.045);
-    float from_hollow_to_ridge = (0.5 + (0.5 * _e14));
-    vec4 _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e23 = u_look.key;
-    float _e25 = reflectance_half_lambert(_e23, surface_1.normal);
-    float in_the_dark = (1.0 - _e25);
-    vec4 output_ = clamp(vec4((_e20.xyz * mix(vec3(1.0), vec3(0.42, 0.4, 0.55), in_the_dark)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+vec4 shade(Surface surface) {
+    float curvature = surface.kappa;
+    float from_hollow_to_ridge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.045), -20.0, 20.0))))))));
+    vec4 _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    Light _e24 = u_look.key;
+    float _e26 = reflectance_half_lambert(_e24, surface.normal);
+    float in_the_dark = (1.0 - _e26);
+    vec4 shade_2_ = clamp(vec4((_e21.xyz * mix(vec3(1.0), vec3(0.42, 0.4, 0.55), in_the_dark)), 1.0), vec4(0.0), vec4(1.0));
+    return shade_2_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    vec4 _e17 = shade(_e16);
-    out_color = _e17;
+    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, _e11.x);
+    vec4 _e14 = shade(surface_1);
+    out_color = _e14;
     return;
 }
 

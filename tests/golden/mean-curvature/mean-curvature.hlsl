@@ -235,11 +235,6 @@ RampPlace ramp_place(Ramp ramp, float x_1)
     return rampplace;
 }
 
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 float4 ramp_oklab(float value, Ramp ramp_1)
 {
     const RampPlace _e2 = ramp_place(ramp_1, value);
@@ -255,33 +250,41 @@ float reflectance_half_lambert(Light light_1, float3 normal)
     return min((half_ * half_), 1.0);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e14 = curvature_signed_balanced(curvature, 0.045);
-    float from_hollow_to_ridge = (0.5 + (0.5 * _e14));
-    const float4 _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e23 = look.key;
-    const float _e25 = reflectance_half_lambert(_e23, surface_1.normal);
-    float in_the_dark = (1.0 - _e25);
-    float4 output = clamp(float4((_e20.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    float curvature = surface.kappa;
+    float from_hollow_to_ridge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.045), -20.0, 20.0))))))));
+    const float4 _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    Light _e24 = look.key;
+    const float _e26 = reflectance_half_lambert(_e24, surface.normal);
+    float in_the_dark = (1.0 - _e26);
+    float4 shade_2_ = clamp(float4((_e21.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return shade_2_;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.kappa = arg1;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -292,14 +295,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e14 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    const float4 _e17 = shade(_e16);
-    return _e17;
+    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, _e11.x);
+    const float4 _e14 = shade(surface_1);
+    return _e14;
 }

@@ -198,13 +198,6 @@ RampPlace ramp_place(
     return RampPlace {_e59, _e61, t};
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
 Color ramp_oklab(
     float value,
     Ramp ramp_1
@@ -225,18 +218,17 @@ float reflectance_half_lambert(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e14 = curvature_signed_balanced(curvature, 0.045);
-    float from_hollow_to_ridge = 0.5 + (0.5 * _e14);
-    Color _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e23 = look.key;
-    float _e25 = reflectance_half_lambert(_e23, surface_1.normal);
-    float in_the_dark = 1.0 - _e25;
-    metal::float4 output = metal::clamp(metal::float4(_e20.xyz * metal::mix(metal::float3(1.0), metal::float3(0.42, 0.4, 0.55), in_the_dark), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float curvature = surface.kappa;
+    float from_hollow_to_ridge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.045, -20.0, 20.0))))));
+    Color _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    Light _e24 = look.key;
+    float _e26 = reflectance_half_lambert(_e24, surface.normal);
+    float in_the_dark = 1.0 - _e26;
+    metal::float4 shade_2_ = metal::clamp(metal::float4(_e21.xyz * metal::mix(metal::float3(1.0), metal::float3(0.42, 0.4, 0.55), in_the_dark), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return shade_2_;
 }
 
 struct vs_mainInput {
@@ -253,15 +245,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -284,13 +272,10 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e14.x;
-    Surface _e16 = surface;
-    metal::float4 _e17 = shade(_e16, look);
-    return fs_mainOutput { _e17 };
+    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, _e11.x};
+    metal::float4 _e14 = shade(surface_1, look);
+    return fs_mainOutput { _e14 };
 }

@@ -121,15 +121,15 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
-        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
-        -0.7034186147, 1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
-        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -167,12 +167,6 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
     return RampPlace(colors[at], colors[after], t);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
     let place = ramp_place(ramp, value);
     return select(select(vec4f(srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz),
@@ -189,15 +183,17 @@ const hollow_flat_ridge = Ramp(array(vec4f(0.0588, 0.1294, 0.2706, 1.0), vec4f(0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let from_hollow_to_ridge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.045);
+    let curvature = surface.kappa;
+    let from_hollow_to_ridge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.045, -20.0, 20.0))));
     let hollow_flat_ridge_2 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     let base = hollow_flat_ridge_2;
     let half_lambert = reflectance_half_lambert(look.key, surface.normal);
     let in_the_dark = 1.0 - half_lambert;
-    let shade_2 = clamp(vec4f(base.xyz * mix(vec3f(1.0), vec4f(0.42, 0.4, 0.55, 1.0).xyz, in_the_dark), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = shade_2;
-    return output;
+    let shade_2 = clamp(vec4f(base.xyz
+        * mix(vec3f(1.0), vec4f(0.42, 0.4, 0.55, 1.0).xyz, in_the_dark), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    return shade_2;
 }
 
 struct Vertex {
@@ -213,19 +209,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

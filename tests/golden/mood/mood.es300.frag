@@ -177,10 +177,10 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle body_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = u_look.body_tone_shape;
     float _e24 = profile_balanced(body_angle, 0.0, _e23);
     Light _e27 = u_look.key;
@@ -193,7 +193,7 @@ vec4 shade(Surface surface_1) {
     float _e60 = u_look.shadow.w;
     vec4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
     Light _e71 = u_look.key;
-    Angle _e74 = parametrization_specular_balanced(_e71, surface_1.normal, surface_1.view);
+    Angle _e74 = parametrization_specular_balanced(_e71, surface.normal, surface.view);
     ProfileShape _e78 = u_look.highlight_tone_shape;
     float _e79 = profile_balanced(_e74, 0.0, _e78);
     Light _e82 = u_look.key;
@@ -202,7 +202,7 @@ vec4 shade(Surface surface_1) {
     vec4 _e91 = blend_alpha(_e68, _e86.color, _e86.tone, 0.7, true);
     vec3 _e96 = u_look.back.direction;
     vec3 _e105 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e96))), (0.5 * length((surface.normal + _e105))));
     ProfileShape _e114 = u_look.back_light_tone_shape;
     float _e115 = profile_balanced(back_light_angle, 0.0, _e114);
     Light _e118 = u_look.back;
@@ -216,17 +216,14 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    vec4 _e22 = shade(_e21);
-    vec4 _e23 = finite_vec4_(_e22);
-    out_color = _e23;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
+    vec4 _e19 = shade(surface_1);
+    vec4 _e20 = finite_vec4_(_e19);
+    out_color = _e20;
     return;
 }
 

@@ -235,19 +235,26 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, look.body_tone_shape);
     let body_lit = light_apply(look.key, look.body_color_convex, body_tone);
-    let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w * (1.0 - look.shadow.w), body_lit.color.w, true);
+    let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone
+        * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w
+        * (1.0 - look.shadow.w), body_lit.color.w, true);
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_tone = profile_balanced(highlight_angle, 0.0, look.highlight_tone_shape);
     let highlight_lit = light_apply(look.key, look.highlight_color_convex, highlight_tone);
-    let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.7, true);
-    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.7,
+        true);
+    let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, look.back_light_color_convex, back_light_tone);
-    let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
-    let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w, back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
+    let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
+    let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w,
+        back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
     return output;
 }
 
@@ -265,20 +272,14 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
+    return finite_vec4(shade(surface));
 }

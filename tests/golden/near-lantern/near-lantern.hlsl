@@ -224,8 +224,7 @@ float profile_soft_quick(float s, ProfileShape shape_1)
 float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
 {
     float q_1 = (s_1 * shape_2.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_3)
@@ -301,11 +300,11 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_8)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     ProfileShape _e23 = look.body_tone_shape;
     const float _e24 = profile_balanced(body_angle, 0.0, _e23);
     Light _e27 = look.key;
@@ -318,7 +317,7 @@ float4 shade(Surface surface_1)
     float _e60 = look.shadow.w;
     const float4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
     Light _e71 = look.key;
-    const Angle _e74 = parametrization_specular_balanced(_e71, surface_1.normal, surface_1.view);
+    const Angle _e74 = parametrization_specular_balanced(_e71, surface.normal, surface.view);
     const float _e77 = profile_balanced_2_(_e74, 0.0, highlight_tone_shape);
     Light _e80 = look.key;
     float4 _e83 = look.highlight_color_convex;
@@ -326,7 +325,7 @@ float4 shade(Surface surface_1)
     const float4 _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.9, true);
     float3 _e94 = look.back.direction;
     float3 _e103 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e94))), (0.5 * length((surface.normal + _e103))));
     const float _e111 = profile_balanced_2_(back_light_angle, 0.0, back_light_tone_shape);
     Light _e114 = look.back;
     float4 _e117 = look.back_light_color_convex;
@@ -336,37 +335,42 @@ float4 shade(Surface surface_1)
     return _e140;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    Surface _e21 = surface;
-    const float4 _e22 = shade(_e21);
-    const float4 _e23 = finite_vec4_(_e22);
-    return _e23;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
+    const float4 _e19 = shade(surface_1);
+    const float4 _e20 = finite_vec4_(_e19);
+    return _e20;
 }

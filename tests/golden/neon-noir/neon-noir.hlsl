@@ -90,7 +90,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape the_room_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u);
 static const ProfileShape magenta_haze_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u);
 static const ProfileShape magenta_tube_tone_shape = ConstructProfileShape(0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u);
@@ -103,13 +102,13 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_1 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -121,16 +120,10 @@ float3 normalize_seen_balanced(float3 v)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_2 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -164,14 +157,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -181,25 +169,30 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
-Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
+Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
     return angle_3;
+}
+
+Angle parametrization_specular_balanced(Light light_2, float3 normal_1, float3 view)
+{
+    float3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    return angle_4;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -261,82 +254,87 @@ float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float wet_magenta_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(wet_magenta_convexity, float4(0.0706, 0.0627, 0.1647, 1.0), float4(0.0196, 0.0157, 0.0627, 1.0));
-    float3 _e23 = look.street.direction;
-    float3 _e32 = look.street.direction;
-    Angle the_room_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+    float wet_magenta_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(wet_magenta_convexity, float4(0.0706, 0.0627, 0.1647, 1.0), float4(0.0196, 0.0157, 0.0627, 1.0));
+    Light _e33 = look.street;
+    const Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
     float the_room_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.2);
-    const float _e45 = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
-    Light _e48 = look.street;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    float4 the_room_blend = clamp(float4((float3(0.0157, 0.0118, 0.0353) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e76 = curvature_color(wet_magenta_convexity, float4(0.0471, 0.2275, 0.3373, 1.0), float4(0.0235, 0.0941, 0.1804, 1.0));
-    float3 _e81 = look.cyan.direction;
-    float3 _e90 = look.cyan.direction;
-    Angle cyan_tube_angle = ConstructAngle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
+    const float _e43 = profile_balanced(_e35, the_room_warp, the_room_tone_shape);
+    Light _e46 = look.street;
+    const LitLayer _e47 = light_apply(_e46, _e30, _e43);
+    const float4 _e57 = blend_add(float4(0.0157, 0.0118, 0.0353, 1.0), _e47.color, _e47.tone, 1.0, true);
+    const float4 _e68 = curvature_color(wet_magenta_convexity, float4(0.0471, 0.2275, 0.3373, 1.0), float4(0.0235, 0.0941, 0.1804, 1.0));
+    Light _e71 = look.cyan;
+    const Angle _e73 = parametrization_diffuse_balanced(_e71, surface.normal);
     float magenta_haze_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.15);
-    const float _e103 = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e106 = look.cyan;
-    const LitLayer _e107 = light_apply(_e106, _e76, _e103);
-    float4 cyan_haze_blend = clamp(float4((the_room_blend.xyz + (_e107.tone * _e107.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e131 = curvature_color(wet_magenta_convexity, float4(0.2902, 0.0471, 0.2667, 1.0), float4(0.1098, 0.0235, 0.149, 1.0));
-    float3 _e136 = look.magenta.direction;
-    float3 _e145 = look.magenta.direction;
-    Angle magenta_tube_angle = ConstructAngle((0.5 * length((surface_1.normal - _e136))), (0.5 * length((surface_1.normal + _e145))));
-    const float _e152 = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e155 = look.magenta;
-    const LitLayer _e156 = light_apply(_e155, _e131, _e152);
-    float4 magenta_haze_blend = clamp(float4((cyan_haze_blend.xyz + (_e156.tone * _e156.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e172 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float magenta_tube_convexity = (0.5 + (0.5 * _e172));
-    const float4 _e187 = curvature_color(magenta_tube_convexity, float4(0.1333, 0.902, 1.0, 1.0), float4(0.0392, 0.4157, 0.6039, 1.0));
+    const float _e81 = profile_balanced(_e73, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e84 = look.cyan;
+    const LitLayer _e85 = light_apply(_e84, _e68, _e81);
+    const float4 _e90 = blend_add(_e57, _e85.color, _e85.tone, 1.0, true);
+    const float4 _e101 = curvature_color(wet_magenta_convexity, float4(0.2902, 0.0471, 0.2667, 1.0), float4(0.1098, 0.0235, 0.149, 1.0));
+    Light _e104 = look.magenta;
+    const Angle _e106 = parametrization_diffuse_balanced(_e104, surface.normal);
+    const float _e108 = profile_balanced(_e106, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e111 = look.magenta;
+    const LitLayer _e112 = light_apply(_e111, _e101, _e108);
+    const float4 _e117 = blend_add(_e90, _e112.color, _e112.tone, 1.0, true);
+    float magenta_tube_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
+    const float4 _e147 = curvature_color(magenta_tube_convexity, float4(0.1333, 0.902, 1.0, 1.0), float4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = (((2.0 * magenta_tube_convexity) - 1.0) * 0.25);
-    const float _e195 = profile_balanced_2_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e198 = look.cyan;
-    const LitLayer _e199 = light_apply(_e198, _e187, _e195);
-    float4 cyan_tube_blend = clamp(float4((magenta_haze_blend.xyz + (_e199.tone * _e199.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e223 = curvature_color(magenta_tube_convexity, float4(1.0, 0.1725, 0.6588, 1.0), float4(0.5255, 0.0627, 0.4784, 1.0));
-    const float _e225 = profile_balanced_2_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e228 = look.magenta;
-    const LitLayer _e229 = light_apply(_e228, _e223, _e225);
-    float4 magenta_tube_blend = clamp(float4((cyan_tube_blend.xyz + (_e229.tone * _e229.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e253 = curvature_color(wet_magenta_convexity, float4(0.2275, 0.6588, 0.7843, 1.0), float4(0.0627, 0.2902, 0.4157, 1.0));
-    Light _e256 = look.cyan;
-    const Angle _e259 = parametrization_specular_balanced(_e256, surface_1.normal, surface_1.view);
+    const float _e155 = profile_balanced_2_(_e73, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e158 = look.cyan;
+    const LitLayer _e159 = light_apply(_e158, _e147, _e155);
+    const float4 _e164 = blend_add(_e117, _e159.color, _e159.tone, 1.0, true);
+    const float4 _e175 = curvature_color(magenta_tube_convexity, float4(1.0, 0.1725, 0.6588, 1.0), float4(0.5255, 0.0627, 0.4784, 1.0));
+    const float _e177 = profile_balanced_2_(_e106, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e180 = look.magenta;
+    const LitLayer _e181 = light_apply(_e180, _e175, _e177);
+    const float4 _e186 = blend_add(_e164, _e181.color, _e181.tone, 1.0, true);
+    const float4 _e197 = curvature_color(wet_magenta_convexity, float4(0.2275, 0.6588, 0.7843, 1.0), float4(0.0627, 0.2902, 0.4157, 1.0));
+    Light _e200 = look.cyan;
+    const Angle _e203 = parametrization_specular_balanced(_e200, surface.normal, surface.view);
     float wet_magenta_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.1);
-    const float _e267 = profile_balanced_2_(_e259, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e270 = look.cyan;
-    const LitLayer _e271 = light_apply(_e270, _e253, _e267);
-    float4 wet_cyan_blend = clamp(float4((magenta_tube_blend.xyz + (_e271.tone * _e271.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e295 = curvature_color(wet_magenta_convexity, float4(0.7843, 0.2275, 0.6039, 1.0), float4(0.3529, 0.0627, 0.3765, 1.0));
-    Light _e298 = look.magenta;
-    const Angle _e301 = parametrization_specular_balanced(_e298, surface_1.normal, surface_1.view);
-    const float _e303 = profile_balanced_2_(_e301, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e306 = look.magenta;
-    const LitLayer _e307 = light_apply(_e306, _e295, _e303);
-    float4 output = clamp(float4((wet_cyan_blend.xyz + (_e307.tone * _e307.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e211 = profile_balanced_2_(_e203, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e214 = look.cyan;
+    const LitLayer _e215 = light_apply(_e214, _e197, _e211);
+    const float4 _e220 = blend_add(_e186, _e215.color, _e215.tone, 1.0, true);
+    const float4 _e231 = curvature_color(wet_magenta_convexity, float4(0.7843, 0.2275, 0.6039, 1.0), float4(0.3529, 0.0627, 0.3765, 1.0));
+    Light _e234 = look.magenta;
+    const Angle _e237 = parametrization_specular_balanced(_e234, surface.normal, surface.view);
+    const float _e239 = profile_balanced_2_(_e237, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e242 = look.magenta;
+    const LitLayer _e243 = light_apply(_e242, _e231, _e239);
+    const float4 _e248 = blend_add(_e220, _e243.color, _e243.tone, 1.0, true);
+    return _e248;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -345,19 +343,14 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float3 normal_4 = (is_front ? _e3 : -(_e3));
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

@@ -39,6 +39,7 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -67,7 +68,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape the_room_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u};
 constant ProfileShape magenta_haze_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u};
 constant ProfileShape magenta_tube_tone_shape = ProfileShape {0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u};
@@ -82,17 +82,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_2 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -124,36 +117,39 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
+Composite blend_add(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+}
+
+Angle parametrization_diffuse_balanced(
+    Light light_1,
+    metal::float3 normal
+) {
+    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_1,
-    metal::float3 normal,
+    Light light_2,
+    metal::float3 normal_1,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
+    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
 }
 
 float profile_soft_quick(
@@ -161,8 +157,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -240,71 +235,66 @@ float profile_balanced_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.2);
-    float wet_magenta_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(wet_magenta_convexity, metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
-    metal::float3 _e23 = look.street.direction;
-    metal::float3 _e32 = look.street.direction;
-    Angle the_room_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float wet_magenta_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
+    Color _e30 = curvature_color(wet_magenta_convexity, metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
+    Light _e33 = look.street;
+    Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
     float the_room_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.2;
-    float _e45 = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
-    Light _e48 = look.street;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    metal::float4 the_room_blend = metal::clamp(metal::float4(metal::float3(0.0157, 0.0118, 0.0353) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e76 = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
-    metal::float3 _e81 = look.cyan.direction;
-    metal::float3 _e90 = look.cyan.direction;
-    Angle cyan_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e81), 0.5 * metal::length(surface_1.normal + _e90)};
+    float _e43 = profile_balanced(_e35, the_room_warp, the_room_tone_shape);
+    Light _e46 = look.street;
+    LitLayer _e47 = light_apply(_e46, _e30, _e43);
+    Composite _e57 = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0), _e47.color, _e47.tone, 1.0, true);
+    Color _e68 = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
+    Light _e71 = look.cyan;
+    Angle _e73 = parametrization_diffuse_balanced(_e71, surface.normal);
     float magenta_haze_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.15;
-    float _e103 = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e106 = look.cyan;
-    LitLayer _e107 = light_apply(_e106, _e76, _e103);
-    metal::float4 cyan_haze_blend = metal::clamp(metal::float4(the_room_blend.xyz + (_e107.tone * _e107.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e131 = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
-    metal::float3 _e136 = look.magenta.direction;
-    metal::float3 _e145 = look.magenta.direction;
-    Angle magenta_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e136), 0.5 * metal::length(surface_1.normal + _e145)};
-    float _e152 = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e155 = look.magenta;
-    LitLayer _e156 = light_apply(_e155, _e131, _e152);
-    metal::float4 magenta_haze_blend = metal::clamp(metal::float4(cyan_haze_blend.xyz + (_e156.tone * _e156.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e172 = curvature_signed_balanced_2_(surface_1.kappa, 0.25);
-    float magenta_tube_convexity = 0.5 + (0.5 * _e172);
-    Color _e187 = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
+    float _e81 = profile_balanced(_e73, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e84 = look.cyan;
+    LitLayer _e85 = light_apply(_e84, _e68, _e81);
+    Composite _e90 = blend_add(_e57, _e85.color, _e85.tone, 1.0, true);
+    Color _e101 = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
+    Light _e104 = look.magenta;
+    Angle _e106 = parametrization_diffuse_balanced(_e104, surface.normal);
+    float _e108 = profile_balanced(_e106, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e111 = look.magenta;
+    LitLayer _e112 = light_apply(_e111, _e101, _e108);
+    Composite _e117 = blend_add(_e90, _e112.color, _e112.tone, 1.0, true);
+    float magenta_tube_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
+    Color _e147 = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = ((2.0 * magenta_tube_convexity) - 1.0) * 0.25;
-    float _e195 = profile_balanced_2_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e198 = look.cyan;
-    LitLayer _e199 = light_apply(_e198, _e187, _e195);
-    metal::float4 cyan_tube_blend = metal::clamp(metal::float4(magenta_haze_blend.xyz + (_e199.tone * _e199.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e223 = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
-    float _e225 = profile_balanced_2_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e228 = look.magenta;
-    LitLayer _e229 = light_apply(_e228, _e223, _e225);
-    metal::float4 magenta_tube_blend = metal::clamp(metal::float4(cyan_tube_blend.xyz + (_e229.tone * _e229.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e253 = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
-    Light _e256 = look.cyan;
-    Angle _e259 = parametrization_specular_balanced(_e256, surface_1.normal, surface_1.view);
+    float _e155 = profile_balanced_2_(_e73, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e158 = look.cyan;
+    LitLayer _e159 = light_apply(_e158, _e147, _e155);
+    Composite _e164 = blend_add(_e117, _e159.color, _e159.tone, 1.0, true);
+    Color _e175 = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
+    float _e177 = profile_balanced_2_(_e106, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e180 = look.magenta;
+    LitLayer _e181 = light_apply(_e180, _e175, _e177);
+    Composite _e186 = blend_add(_e164, _e181.color, _e181.tone, 1.0, true);
+    Color _e197 = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
+    Light _e200 = look.cyan;
+    Angle _e203 = parametrization_specular_balanced(_e200, surface.normal, surface.view);
     float wet_magenta_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.1;
-    float _e267 = profile_balanced_2_(_e259, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e270 = look.cyan;
-    LitLayer _e271 = light_apply(_e270, _e253, _e267);
-    metal::float4 wet_cyan_blend = metal::clamp(metal::float4(magenta_tube_blend.xyz + (_e271.tone * _e271.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e295 = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
-    Light _e298 = look.magenta;
-    Angle _e301 = parametrization_specular_balanced(_e298, surface_1.normal, surface_1.view);
-    float _e303 = profile_balanced_2_(_e301, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e306 = look.magenta;
-    LitLayer _e307 = light_apply(_e306, _e295, _e303);
-    metal::float4 output = metal::clamp(metal::float4(wet_cyan_blend.xyz + (_e307.tone * _e307.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e211 = profile_balanced_2_(_e203, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e214 = look.cyan;
+    LitLayer _e215 = light_apply(_e214, _e197, _e211);
+    Composite _e220 = blend_add(_e186, _e215.color, _e215.tone, 1.0, true);
+    Color _e231 = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
+    Light _e234 = look.magenta;
+    Angle _e237 = parametrization_specular_balanced(_e234, surface.normal, surface.view);
+    float _e239 = profile_balanced_2_(_e237, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e242 = look.magenta;
+    LitLayer _e243 = light_apply(_e242, _e231, _e239);
+    Composite _e248 = blend_add(_e220, _e243.color, _e243.tone, 1.0, true);
+    return _e248;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal_2 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -316,17 +306,12 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
+    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -337,7 +322,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_1 [[user(loc1), center_perspective]];
+    metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -350,17 +335,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

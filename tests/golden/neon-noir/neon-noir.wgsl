@@ -41,6 +41,9 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -62,7 +65,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -78,14 +80,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -116,16 +110,11 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -142,6 +131,10 @@ struct LitLayer {
     color: Color,
     /// The tone under this light.
     tone: f32,
+}
+
+fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -> Angle {
@@ -171,8 +164,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -237,47 +229,69 @@ const wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let wet_magenta_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.2);
-    let the_room_color = curvature_color(wet_magenta_convexity, vec4f(0.0706, 0.0627, 0.1647, 1.0), vec4f(0.0196, 0.0157, 0.0627, 1.0));
-    let the_room_angle = Angle(0.5 * length(surface.normal - look.street.direction), 0.5 * length(surface.normal + look.street.direction));
+    let wet_magenta_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    let the_room_color = curvature_color(wet_magenta_convexity, vec4f(0.0706, 0.0627, 0.1647, 1.0),
+        vec4f(0.0196, 0.0157, 0.0627, 1.0));
+    let the_room_angle = parametrization_diffuse_balanced(look.street, surface.normal);
     let the_room_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.2;
     let the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
     let the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
-    let the_room_blend = clamp(vec4f(vec4f(0.0157, 0.0118, 0.0353, 1.0).xyz + the_room_lit.tone * the_room_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let cyan_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.0471, 0.2275, 0.3373, 1.0), vec4f(0.0235, 0.0941, 0.1804, 1.0));
-    let cyan_tube_angle = Angle(0.5 * length(surface.normal - look.cyan.direction), 0.5 * length(surface.normal + look.cyan.direction));
+    let the_room_blend = blend_add(vec4f(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color,
+        the_room_lit.tone, 1.0, true);
+    let cyan_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.0471, 0.2275, 0.3373, 1.0),
+        vec4f(0.0235, 0.0941, 0.1804, 1.0));
+    let cyan_tube_angle = parametrization_diffuse_balanced(look.cyan, surface.normal);
     let magenta_haze_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.15;
-    let cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    let cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     let cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
-    let cyan_haze_blend = clamp(vec4f(the_room_blend.xyz + cyan_haze_lit.tone * cyan_haze_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let magenta_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.2902, 0.0471, 0.2667, 1.0), vec4f(0.1098, 0.0235, 0.149, 1.0));
-    let magenta_tube_angle = Angle(0.5 * length(surface.normal - look.magenta.direction), 0.5 * length(surface.normal + look.magenta.direction));
-    let magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    let cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0,
+        true);
+    let magenta_haze_color = curvature_color(wet_magenta_convexity,
+        vec4f(0.2902, 0.0471, 0.2667, 1.0), vec4f(0.1098, 0.0235, 0.149, 1.0));
+    let magenta_tube_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
+    let magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     let magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
-    let magenta_haze_blend = clamp(vec4f(cyan_haze_blend.xyz + magenta_haze_lit.tone * magenta_haze_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let magenta_tube_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.25);
-    let cyan_tube_color = curvature_color(magenta_tube_convexity, vec4f(0.1333, 0.902, 1.0, 1.0), vec4f(0.0392, 0.4157, 0.6039, 1.0));
+    let magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color,
+        magenta_haze_lit.tone, 1.0, true);
+    let magenta_tube_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    let cyan_tube_color = curvature_color(magenta_tube_convexity, vec4f(0.1333, 0.902, 1.0, 1.0),
+        vec4f(0.0392, 0.4157, 0.6039, 1.0));
     let magenta_tube_warp = (2.0 * magenta_tube_convexity - 1.0) * 0.25;
-    let cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    let cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     let cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
-    let cyan_tube_blend = clamp(vec4f(magenta_haze_blend.xyz + cyan_tube_lit.tone * cyan_tube_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let magenta_tube_color = curvature_color(magenta_tube_convexity, vec4f(1.0, 0.1725, 0.6588, 1.0), vec4f(0.5255, 0.0627, 0.4784, 1.0));
-    let magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    let cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone,
+        1.0, true);
+    let magenta_tube_color = curvature_color(magenta_tube_convexity,
+        vec4f(1.0, 0.1725, 0.6588, 1.0), vec4f(0.5255, 0.0627, 0.4784, 1.0));
+    let magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     let magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
-    let magenta_tube_blend = clamp(vec4f(cyan_tube_blend.xyz + magenta_tube_lit.tone * magenta_tube_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let wet_cyan_color = curvature_color(wet_magenta_convexity, vec4f(0.2275, 0.6588, 0.7843, 1.0), vec4f(0.0627, 0.2902, 0.4157, 1.0));
+    let magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color,
+        magenta_tube_lit.tone, 1.0, true);
+    let wet_cyan_color = curvature_color(wet_magenta_convexity, vec4f(0.2275, 0.6588, 0.7843, 1.0),
+        vec4f(0.0627, 0.2902, 0.4157, 1.0));
     let wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal, surface.view);
     let wet_magenta_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.1;
-    let wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    let wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     let wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
-    let wet_cyan_blend = clamp(vec4f(magenta_tube_blend.xyz + wet_cyan_lit.tone * wet_cyan_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let wet_magenta_color = curvature_color(wet_magenta_convexity, vec4f(0.7843, 0.2275, 0.6039, 1.0), vec4f(0.3529, 0.0627, 0.3765, 1.0));
-    let wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal, surface.view);
-    let wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    let wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0,
+        true);
+    let wet_magenta_color = curvature_color(wet_magenta_convexity,
+        vec4f(0.7843, 0.2275, 0.6039, 1.0), vec4f(0.3529, 0.0627, 0.3765, 1.0));
+    let wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal,
+        surface.view);
+    let wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     let wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
-    let wet_magenta_blend = clamp(vec4f(wet_cyan_blend.xyz + wet_magenta_lit.tone * wet_magenta_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = wet_magenta_blend;
-    return output;
+    let wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone,
+        1.0, true);
+    return wet_magenta_blend;
 }
 
 struct Vertex {
@@ -294,21 +308,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -83,6 +83,7 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -102,38 +103,20 @@ layout(location = 1) smooth in vec3 v_position_object;
 layout(location = 2) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
-}
-
 vec4 finite_vec4_(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_or(vec3 v_1, vec3 otherwise) {
-    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return otherwise;
-    }
-    vec3 scaled = (v_1 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float exp2_stable(float x_1) {
-    float whole = roundEven(x_1);
-    float f = (x_1 - whole);
+float exp2_stable(float x) {
+    float whole = roundEven(x);
+    float f = (x - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
     int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -141,50 +124,42 @@ float log2_stable(float x_2) {
     return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec2 sin_cos_eighth(float x_3) {
-    float s = (x_3 * 0.9088517);
+vec2 sin_cos_eighth(float x_2) {
+    float s = (x_2 * 0.9088517);
     return vec2(s, 0.73168886);
 }
 
-vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
+float bounded(float x_3) {
+    uint bits_1 = floatBitsToUint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_4) {
-    uvec2 bits_2 = floatBitsToUint(v_4);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_2 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_2, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude_1, uvec2(2139095040u)));
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_2 = floatBitsToUint(v_3);
+    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
+    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_5) {
-    uvec3 bits_3 = floatBitsToUint(v_5);
-    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
-    vec3 largest_3 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers_1 = mix(vec3(0.0), largest_3, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_5, lessThan(magnitude_2, uvec3(2139095040u)));
-}
-
-vec4 bounded_vec4_(vec4 v_6) {
-    uvec4 bits_4 = floatBitsToUint(v_6);
-    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
-    vec4 largest_4 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_2 = mix(vec4(0.0), largest_4, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_6, lessThan(magnitude_3, uvec4(2139095040u)));
+vec4 bounded_vec4_(vec4 v_4) {
+    uvec4 bits_3 = floatBitsToUint(v_4);
+    uvec4 magnitude_2 = (bits_3 & uvec4(2147483647u));
+    vec4 largest_2 = uintBitsToFloat(((bits_3 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers_1 = mix(vec4(0.0), largest_2, equal(magnitude_2, uvec4(2139095040u)));
+    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
 }
 
 vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
@@ -193,17 +168,17 @@ vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
     return _e14;
 }
 
-float place_between(float x_5, float low, float high) {
+float place_between(float x_4, float low, float high) {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_5 >= high) ? 1.0 : 0.0);
+        return ((x_4 >= high) ? 1.0 : 0.0);
     }
-    float _e13 = bounded(((x_5 - low) / span));
+    float _e13 = bounded(((x_4 - low) / span));
     return _e13;
 }
 
-float eased(float x_6, float low_1, float high_1) {
-    float _e3 = place_between(x_6, low_1, high_1);
+float eased(float x_5, float low_1, float high_1) {
+    float _e3 = place_between(x_5, low_1, high_1);
     float t_1 = clamp(_e3, 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
@@ -226,12 +201,19 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
+vec4 mix_colors_normal(vec4 a_2, vec4 b_1, float factor_1) {
+    vec4 _e3 = bounded_vec4_(a_2);
+    vec4 _e4 = bounded_vec4_(b_1);
+    vec4 _e8 = mixed_vec4_(_e3, _e4, clamp(factor_1, 0.0, 1.0));
+    return _e8;
+}
+
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 z_1 = (toward * inversesqrt(dot(toward, toward)));
     vec3 leaning = cross(up, z_1);
-    float square_2 = dot(leaning, leaning);
+    float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(z_1.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_3 = ((square_2 > 1e-8) ? leaning : cross(aside, z_1));
+    vec3 across_3 = ((square_1 > 1e-8) ? leaning : cross(aside, z_1));
     vec3 _e31 = normalize_moderate((across_3 - (dot(across_3, z_1) * z_1)), vec3(1.0, 0.0, 0.0));
     return mat3x3(_e31, cross(z_1, _e31), z_1);
 }
@@ -243,36 +225,36 @@ vec4 output_(vec4 color_1) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_7 = uvec3(0u);
-    v_7 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_7;
-    uvec3 _e32 = v_7;
-    v_7 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_7;
+    uvec3 v_5 = uvec3(0u);
+    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_5.x;
+    uint _e10 = v_5.y;
+    uint _e12 = v_5.z;
+    v_5.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_5.y;
+    uint _e18 = v_5.z;
+    uint _e20 = v_5.x;
+    v_5.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_5.z;
+    uint _e26 = v_5.x;
+    uint _e28 = v_5.y;
+    v_5.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_5;
+    uvec3 _e32 = v_5;
+    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_5.x;
+    uint _e40 = v_5.y;
+    uint _e42 = v_5.z;
+    v_5.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_5.y;
+    uint _e48 = v_5.z;
+    uint _e50 = v_5.x;
+    v_5.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_5.z;
+    uint _e56 = v_5.x;
+    uint _e58 = v_5.y;
+    v_5.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_5;
     return _e61;
 }
 
@@ -286,19 +268,16 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    vec3 _e12 = bounded_vec3_(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 _e2 = bounded_vec2_(pixel);
-    vec2 from_middle = (_e2 - (0.5 * viewport));
+    vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
@@ -313,20 +292,18 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec3 _e18 = bounded_vec3_(((turn_6.y * across) - (turn_6.x * along)));
     vec2 turned = vec2(((turn_6.y * place.x) + (turn_6.x * place.y)), ((turn_6.y * place.y) - (turn_6.x * place.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec3 stretch_12 = clamp(vec3(dot(_e12, _e12), dot(_e12, _e18), dot(_e18, _e18)), -(most), most);
-    return StretchedPlace(turned, stretch_12);
+    vec3 stretch_9 = clamp(vec3(dot(_e12, _e12), dot(_e12, _e18), dot(_e18, _e18)), -(most), most);
+    return StretchedPlace(turned, stretch_9);
 }
 
 StretchedPlace mark_place_of_2_(vec2 place_1, vec3 along_1, vec3 across_1, float angle_1) {
     vec2 _e5 = sin_cos_eighth(0.75);
     vec2 turn_7 = clamp(_e5, vec2(-1.0), vec2(1.0));
-    vec3 x_7 = ((turn_7.y * along_1) + (turn_7.x * across_1));
+    vec3 x_6 = ((turn_7.y * along_1) + (turn_7.x * across_1));
     vec3 y = ((turn_7.y * across_1) - (turn_7.x * along_1));
-    vec2 _e21 = bounded_vec2_(place_1);
-    vec2 turned_1 = vec2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
-    vec3 stretch_13 = vec3(dot(x_7, x_7), dot(x_7, y), dot(y, y));
-    vec2 _e41 = bounded_vec2_(turned_1);
-    return StretchedPlace(_e41, stretch_13);
+    vec2 turned_1 = vec2(((turn_7.y * place_1.x) + (turn_7.x * place_1.y)), ((turn_7.y * place_1.y) - (turn_7.x * place_1.x)));
+    vec3 stretch_10 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
+    return StretchedPlace(turned_1, stretch_10);
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
@@ -335,73 +312,43 @@ vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
 }
 
 StretchedPlace place_on_surface(vec2 place_2, vec3 along_2, vec3 across_2, vec3 normal_1, vec3 view_1, float magnification, float angle_2) {
-    float _e7 = bounded(magnification);
-    float height = (1.0 / clamp(_e7, 1e-15, 1000000000000000.0));
-    vec3 _e13 = gradient_on_picture(along_2, normal_1, view_1);
-    vec3 _e15 = bounded_vec3_((_e13 * height));
-    vec3 _e16 = gradient_on_picture(across_2, normal_1, view_1);
-    vec3 _e18 = bounded_vec3_((_e16 * height));
-    StretchedPlace _e19 = mark_place_of(place_2, _e15, _e18, angle_2);
-    return _e19;
+    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
+    vec3 _e12 = gradient_on_picture(along_2, normal_1, view_1);
+    vec3 _e14 = bounded_vec3_((_e12 * height));
+    vec3 _e15 = gradient_on_picture(across_2, normal_1, view_1);
+    vec3 _e17 = bounded_vec3_((_e15 * height));
+    StretchedPlace _e18 = mark_place_of(place_2, _e14, _e17, angle_2);
+    return _e18;
 }
 
 StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_3) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
-    vec2 place_14 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
-    vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
-    vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e23 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, angle_3);
-    return _e23;
+    vec2 place_11 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
+    vec3 along_3 = (world_from_normal * _e11[0]);
+    vec3 across_4 = (world_from_normal * _e11[2]);
+    StretchedPlace _e21 = place_on_surface(place_11, along_3, across_4, normal_2, view_2, magnification_1, angle_3);
+    return _e21;
 }
 
 SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
+    float scale_2 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
     vec2 p_6 = clamp((place_3 * scale_2), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e23 = bounded_vec3_(stretch);
-    vec3 s_1 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    vec3 _e21 = bounded_vec3_(stretch);
+    vec3 s_1 = clamp(_e21, vec3(-1000000000000000.0), vec3(1000000000000000.0));
     return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
 SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count_1) {
     bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
+    float scale_3 = (is_pixel_1 ? (count_1 / max(viewport_2.y, 1.0)) : count_1);
     vec2 p_7 = clamp((place_4 * scale_3), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e23 = bounded_vec3_(stretch_1);
-    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_2));
+    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : stretch_1));
 }
 
-SpacedPlace spaced_3_(vec2 place_5, vec3 stretch_2, vec2 viewport_3, float count_2) {
-    bool is_pixel_2 = !(((stretch_2.x + stretch_2.z) > 0.0));
-    float scale_4 = (is_pixel_2 ? (24.0 / max(viewport_3.y, 1.0)) : 24.0);
-    vec2 _e17 = bounded_vec2_(place_5);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_4));
-    vec2 p_8 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_8, (is_pixel_2 ? vec3(1.0, 0.0, 1.0) : stretch_2));
-}
-
-SpacedPlace spaced_4_(vec2 place_6, vec3 stretch_3, vec2 viewport_4, float count_3) {
-    bool is_pixel_3 = !(((stretch_3.x + stretch_3.z) > 0.0));
-    float scale_5 = (is_pixel_3 ? (32.0 / max(viewport_4.y, 1.0)) : 32.0);
-    vec2 _e17 = bounded_vec2_(place_6);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_5));
-    vec2 p_9 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_9, (is_pixel_3 ? vec3(1.0, 0.0, 1.0) : stretch_3));
-}
-
-SpacedPlace spaced_5_(vec2 place_7, vec3 stretch_4, vec2 viewport_5, float count_4) {
-    bool is_pixel_4 = !(((stretch_4.x + stretch_4.z) > 0.0));
-    float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
-    vec2 p_10 = clamp((place_7 * scale_6), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e23 = bounded_vec3_(stretch_4);
-    vec3 s_3 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_3));
-}
-
-float area_square(vec3 stretch_5) {
-    float sum = (stretch_5.x + stretch_5.z);
-    return max(((stretch_5.x * stretch_5.z) - (stretch_5.y * stretch_5.y)), ((sum * sum) / 66.0));
+float area_square(vec3 stretch_2) {
+    float sum = (stretch_2.x + stretch_2.z);
+    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum * sum) / 66.0));
 }
 
 vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
@@ -413,8 +360,8 @@ Brushstroke brush_stroke(vec2 p, ivec2 cell_2, int zoom, float drawn, Brush styl
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
     vec3 chance = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset = (p - ((vec2(cell_2) + vec2(0.5)) + (style_1.scatter * (chance.xy - vec2(0.5)))));
-    float x_8 = (0.5 * (chance.z - 0.5));
-    vec2 turn_8 = vec2(sin(x_8), cos(x_8));
+    float x_7 = (0.5 * (chance.z - 0.5));
+    vec2 turn_8 = vec2(sin(x_7), cos(x_7));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
     float way = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_3 = Brushstroke(vec2(0.5), turn_8, way, 0.0);
@@ -438,21 +385,21 @@ vec3 bristle(float row, uint seed_2) {
 }
 
 vec2 bristles(vec2 uv, float width, uint seed_3) {
-    float across_4 = ((2.0 * uv.y) - 1.0);
+    float across_5 = ((2.0 * uv.y) - 1.0);
     uvec3 _e19 = hash_pcg3d((uvec3(ivec3(0, 1, 0)) + (seed_3 * uvec3(2654435769u, 2246822507u, 3266489909u))));
     vec3 own = (vec3((_e19 >> uvec3(8u))) * 5.9604645e-8);
     float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
     vec3 _e38 = bristle((11.0 * uv.y), seed_3);
     vec3 chance_1 = mix(vec3(0.5), _e38, seen);
-    float start = ((0.03 + (0.12 * chance_1.x)) + ((0.09 * across_4) * across_4));
-    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance_1.y)) - ((0.12 * across_4) * across_4));
+    float start = ((0.03 + (0.12 * chance_1.x)) + ((0.09 * across_5) * across_5));
+    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance_1.y)) - ((0.12 * across_5) * across_5));
     float _e65 = eased(uv.x, start, (start + 0.05));
     float _e69 = eased(uv.x, (end - 0.1), end);
-    float along_3 = (_e65 * (1.0 - _e69));
-    float side = (1.0 - smoothstep(0.78, 0.95, abs(across_4)));
+    float along_4 = (_e65 * (1.0 - _e69));
+    float side = (1.0 - smoothstep(0.78, 0.95, abs(across_5)));
     float dry = smoothstep(0.85, 1.25, (uv.x + (0.55 * chance_1.z)));
     float shade_1 = (((0.8 + (0.16 * own.z)) + (0.208 * (chance_1.z - 0.5))) - (0.05 * uv.x));
-    return vec2(clamp(shade_1, 0.0, 1.0), ((along_3 * side) * (1.0 - (0.9 * dry))));
+    return vec2(clamp(shade_1, 0.0, 1.0), ((along_4 * side) * (1.0 - (0.9 * dry))));
 }
 
 vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
@@ -483,9 +430,9 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
         int _e45 = octave;
         float amount = (ink * ((_e45 == 1) ? fine : (1.0 - f_1)));
         int _e51 = octave;
-        float scale_7 = uintBitsToFloat((uint(((int(zoom_6) + _e51) + 127)) << 23u));
-        vec2 p_11 = (clamp((at.place * scale_7), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
-        ivec2 corner = ivec2(floor(p_11));
+        float scale_4 = uintBitsToFloat((uint(((int(zoom_6) + _e51) + 127)) << 23u));
+        vec2 p_8 = (clamp((at.place * scale_4), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p_8));
         ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
         i = 0;
         bool loop_init_1 = true;
@@ -512,10 +459,10 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
                 continue;
             }
             int _e140 = octave;
-            Brushstroke _e142 = brush_stroke(p_11, cell_8, (int(zoom_6) + _e140), share_1, style_2);
+            Brushstroke _e142 = brush_stroke(p_8, cell_8, (int(zoom_6) + _e140), share_1, style_2);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx * scale_7), _e142, style_2);
-                vec2 _e149 = brush_turned((dy * scale_7), _e142, style_2);
+                vec2 _e147 = brush_turned((dx * scale_4), _e142, style_2);
+                vec2 _e149 = brush_turned((dy * scale_4), _e142, style_2);
                 int _e151 = octave;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_8, (int(zoom_6) + _e151))) + uvec3(3668340011u, 2445500225u, 1209535135u)));
                 uint own_1 = _e160.x;
@@ -539,8 +486,8 @@ Brushstroke brush_stroke_2_(vec2 p_1, ivec2 cell_3, int zoom_1, float drawn_1, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(3041712726u, 596033154u, 2419070270u)));
     vec3 chance_2 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_1 = (p_1 - ((vec2(cell_3) + vec2(0.5)) + (style_4.scatter * (chance_2.xy - vec2(0.5)))));
-    float x_9 = (0.5 * (chance_2.z - 0.5));
-    vec2 turn_9 = vec2(sin(x_9), cos(x_9));
+    float x_8 = (0.5 * (chance_2.z - 0.5));
+    vec2 turn_9 = vec2(sin(x_8), cos(x_8));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
     float way_1 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_4 = Brushstroke(vec2(0.5), turn_9, way_1, 0.0);
@@ -581,9 +528,9 @@ vec2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5) {
         int _e45 = octave_1;
         float amount_1 = (ink_1 * ((_e45 == 1) ? fine_1 : (1.0 - f_2)));
         int _e51 = octave_1;
-        float scale_8 = uintBitsToFloat((uint(((int(zoom_7) + _e51) + 127)) << 23u));
-        vec2 p_12 = (clamp((at_1.place * scale_8), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_5.aspect, 1.0));
-        ivec2 corner_1 = ivec2(floor(p_12));
+        float scale_5 = uintBitsToFloat((uint(((int(zoom_7) + _e51) + 127)) << 23u));
+        vec2 p_9 = (clamp((at_1.place * scale_5), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_5.aspect, 1.0));
+        ivec2 corner_1 = ivec2(floor(p_9));
         ivec2 phase_1 = (((corner_1 % ivec2(3)) + ivec2(3)) % ivec2(3));
         i_1 = 0;
         bool loop_init_3 = true;
@@ -610,10 +557,10 @@ vec2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5) {
                 continue;
             }
             int _e140 = octave_1;
-            Brushstroke _e142 = brush_stroke_2_(p_12, cell_9, (int(zoom_7) + _e140), share_3, style_5);
+            Brushstroke _e142 = brush_stroke_2_(p_9, cell_9, (int(zoom_7) + _e140), share_3, style_5);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_2_((dx_1 * scale_8), _e142, style_5);
-                vec2 _e149 = brush_turned_2_((dy_1 * scale_8), _e142, style_5);
+                vec2 _e147 = brush_turned_2_((dx_1 * scale_5), _e142, style_5);
+                vec2 _e149 = brush_turned_2_((dy_1 * scale_5), _e142, style_5);
                 int _e151 = octave_1;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_9, (int(zoom_7) + _e151))) + uvec3(4055616968u, 794710872u, 362115496u)));
                 uint own_2 = _e160.x;
@@ -632,8 +579,8 @@ Brushstroke brush_stroke_3_(vec2 p_2, ivec2 cell_4, int zoom_2, float drawn_2, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(1013904242u, 198677718u, 2238012522u)));
     vec3 chance_3 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_2 = (p_2 - ((vec2(cell_4) + vec2(0.5)) + (style_6.scatter * (chance_3.xy - vec2(0.5)))));
-    float x_10 = (0.5 * (chance_3.z - 0.5));
-    vec2 turn_10 = vec2(sin(x_10), cos(x_10));
+    float x_9 = (0.5 * (chance_3.z - 0.5));
+    vec2 turn_10 = vec2(sin(x_9), cos(x_9));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
     float way_2 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_5 = Brushstroke(vec2(0.5), turn_10, way_2, 0.0);
@@ -674,9 +621,9 @@ vec2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7) {
         int _e45 = octave_2;
         float amount_2 = (ink_2 * ((_e45 == 1) ? fine_2 : (1.0 - f_3)));
         int _e51 = octave_2;
-        float scale_9 = uintBitsToFloat((uint(((int(zoom_8) + _e51) + 127)) << 23u));
-        vec2 p_13 = (clamp((at_2.place * scale_9), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_7.aspect, 1.0));
-        ivec2 corner_2 = ivec2(floor(p_13));
+        float scale_6 = uintBitsToFloat((uint(((int(zoom_8) + _e51) + 127)) << 23u));
+        vec2 p_10 = (clamp((at_2.place * scale_6), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_7.aspect, 1.0));
+        ivec2 corner_2 = ivec2(floor(p_10));
         ivec2 phase_2 = (((corner_2 % ivec2(3)) + ivec2(3)) % ivec2(3));
         i_2 = 0;
         bool loop_init_5 = true;
@@ -703,10 +650,10 @@ vec2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7) {
                 continue;
             }
             int _e140 = octave_2;
-            Brushstroke _e142 = brush_stroke_3_(p_13, cell_10, (int(zoom_8) + _e140), share_5, style_7);
+            Brushstroke _e142 = brush_stroke_3_(p_10, cell_10, (int(zoom_8) + _e140), share_5, style_7);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx_2 * scale_9), _e142, style_7);
-                vec2 _e149 = brush_turned((dy_2 * scale_9), _e142, style_7);
+                vec2 _e147 = brush_turned((dx_2 * scale_6), _e142, style_7);
+                vec2 _e149 = brush_turned((dy_2 * scale_6), _e142, style_7);
                 int _e151 = octave_2;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_10, (int(zoom_8) + _e151))) + uvec3(2027808484u, 397355436u, 181057748u)));
                 uint own_3 = _e160.x;
@@ -730,8 +677,8 @@ Brushstroke brush_stroke_4_(vec2 p_3, ivec2 cell_5, int zoom_3, float drawn_3, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
     vec3 chance_4 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_3 = (p_3 - ((vec2(cell_5) + vec2(0.5)) + (style_9.scatter * (chance_4.xy - vec2(0.5)))));
-    float x_11 = (0.5 * (chance_4.z - 0.5));
-    vec2 turn_11 = vec2(sin(x_11), cos(x_11));
+    float x_10 = (0.5 * (chance_4.z - 0.5));
+    vec2 turn_11 = vec2(sin(x_10), cos(x_10));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(2027808484u, 397355436u, 181057748u)));
     float way_3 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_6 = Brushstroke(vec2(0.5), turn_11, way_3, 0.0);
@@ -772,9 +719,9 @@ vec2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10) {
         int _e45 = octave_3;
         float amount_3 = (ink_3 * ((_e45 == 1) ? fine_3 : (1.0 - f_4)));
         int _e51 = octave_3;
-        float scale_10 = uintBitsToFloat((uint(((int(zoom_9) + _e51) + 127)) << 23u));
-        vec2 p_14 = (clamp((at_3.place * scale_10), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
-        ivec2 corner_3 = ivec2(floor(p_14));
+        float scale_7 = uintBitsToFloat((uint(((int(zoom_9) + _e51) + 127)) << 23u));
+        vec2 p_11 = (clamp((at_3.place * scale_7), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
+        ivec2 corner_3 = ivec2(floor(p_11));
         ivec2 phase_3 = (((corner_3 % ivec2(3)) + ivec2(3)) % ivec2(3));
         i_3 = 0;
         bool loop_init_7 = true;
@@ -801,10 +748,10 @@ vec2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10) {
                 continue;
             }
             int _e140 = octave_3;
-            Brushstroke _e142 = brush_stroke_4_(p_14, cell_11, (int(zoom_9) + _e140), share_7, style_10);
+            Brushstroke _e142 = brush_stroke_4_(p_11, cell_11, (int(zoom_9) + _e140), share_7, style_10);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_3_((dx_3 * scale_10), _e142, style_10);
-                vec2 _e149 = brush_turned_3_((dy_3 * scale_10), _e142, style_10);
+                vec2 _e147 = brush_turned_3_((dx_3 * scale_7), _e142, style_10);
+                vec2 _e149 = brush_turned_3_((dy_3 * scale_7), _e142, style_10);
                 int _e151 = octave_3;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_11, (int(zoom_9) + _e151))) + uvec3(387276957u, 2644177943u, 3447547657u)));
                 uint own_4 = _e160.x;
@@ -823,8 +770,8 @@ Brushstroke brush_stroke_5_(vec2 p_4, ivec2 cell_6, int zoom_4, float drawn_4, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(2027808484u, 397355436u, 181057748u)));
     vec3 chance_5 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_4 = (p_4 - ((vec2(cell_6) + vec2(0.5)) + (style_11.scatter * (chance_5.xy - vec2(0.5)))));
-    float x_12 = (style_11.turn * (chance_5.z - 0.5));
-    vec2 turn_12 = vec2(sin(x_12), cos(x_12));
+    float x_11 = (style_11.turn * (chance_5.z - 0.5));
+    vec2 turn_12 = vec2(sin(x_11), cos(x_11));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(387276957u, 2644177943u, 3447547657u)));
     float way_4 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_7 = Brushstroke(vec2(0.5), turn_12, way_4, 0.0);
@@ -865,9 +812,9 @@ vec2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12) {
         int _e45 = octave_4;
         float amount_4 = (ink_4 * ((_e45 == 1) ? fine_4 : (1.0 - f_5)));
         int _e51 = octave_4;
-        float scale_11 = uintBitsToFloat((uint(((int(zoom_10) + _e51) + 127)) << 23u));
-        vec2 p_15 = (clamp((at_4.place * scale_11), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_12.aspect, 1.0));
-        ivec2 corner_4 = ivec2(floor(p_15));
+        float scale_8 = uintBitsToFloat((uint(((int(zoom_10) + _e51) + 127)) << 23u));
+        vec2 p_12 = (clamp((at_4.place * scale_8), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_12.aspect, 1.0));
+        ivec2 corner_4 = ivec2(floor(p_12));
         ivec2 phase_4 = (((corner_4 % ivec2(3)) + ivec2(3)) % ivec2(3));
         i_4 = 0;
         bool loop_init_9 = true;
@@ -894,10 +841,10 @@ vec2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12) {
                 continue;
             }
             int _e140 = octave_4;
-            Brushstroke _e142 = brush_stroke_5_(p_15, cell_12, (int(zoom_10) + _e140), share_9, style_12);
+            Brushstroke _e142 = brush_stroke_5_(p_12, cell_12, (int(zoom_10) + _e140), share_9, style_12);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx_4 * scale_11), _e142, style_12);
-                vec2 _e149 = brush_turned((dy_4 * scale_11), _e142, style_12);
+                vec2 _e147 = brush_turned((dx_4 * scale_8), _e142, style_12);
+                vec2 _e149 = brush_turned((dy_4 * scale_8), _e142, style_12);
                 int _e151 = octave_4;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_12, (int(zoom_10) + _e151))) + uvec3(3041712726u, 596033154u, 2419070270u)));
                 uint own_5 = _e160.x;
@@ -916,8 +863,8 @@ Brushstroke brush_stroke_6_(vec2 p_5, ivec2 cell_7, int zoom_5, float drawn_5, B
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(4055616968u, 794710872u, 362115496u)));
     vec3 chance_6 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     vec2 offset_5 = (p_5 - ((vec2(cell_7) + vec2(0.5)) + (style_13.scatter * (chance_6.xy - vec2(0.5)))));
-    float x_13 = (style_13.turn * (chance_6.z - 0.5));
-    vec2 turn_13 = vec2(sin(x_13), cos(x_13));
+    float x_12 = (style_13.turn * (chance_6.z - 0.5));
+    vec2 turn_13 = vec2(sin(x_12), cos(x_12));
     uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
     float way_5 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
     Brushstroke stroke_8 = Brushstroke(vec2(0.5), turn_13, way_5, 0.0);
@@ -958,9 +905,9 @@ vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
         int _e45 = octave_5;
         float amount_5 = (ink_5 * ((_e45 == 1) ? fine_5 : (1.0 - f_6)));
         int _e51 = octave_5;
-        float scale_12 = uintBitsToFloat((uint(((int(zoom_11) + _e51) + 127)) << 23u));
-        vec2 p_16 = (clamp((at_5.place * scale_12), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_14.aspect, 1.0));
-        ivec2 corner_5 = ivec2(floor(p_16));
+        float scale_9 = uintBitsToFloat((uint(((int(zoom_11) + _e51) + 127)) << 23u));
+        vec2 p_13 = (clamp((at_5.place * scale_9), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_14.aspect, 1.0));
+        ivec2 corner_5 = ivec2(floor(p_13));
         ivec2 phase_5 = (((corner_5 % ivec2(3)) + ivec2(3)) % ivec2(3));
         i_5 = 0;
         bool loop_init_11 = true;
@@ -987,10 +934,10 @@ vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
                 continue;
             }
             int _e140 = octave_5;
-            Brushstroke _e142 = brush_stroke_6_(p_16, cell_13, (int(zoom_11) + _e140), share_11, style_14);
+            Brushstroke _e142 = brush_stroke_6_(p_13, cell_13, (int(zoom_11) + _e140), share_11, style_14);
             if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_2_((dx_5 * scale_12), _e142, style_14);
-                vec2 _e149 = brush_turned_2_((dy_5 * scale_12), _e142, style_14);
+                vec2 _e147 = brush_turned_2_((dx_5 * scale_9), _e142, style_14);
+                vec2 _e149 = brush_turned_2_((dy_5 * scale_9), _e142, style_14);
                 int _e151 = octave_5;
                 uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_13, (int(zoom_11) + _e151))) + uvec3(774553914u, 993388590u, 2600128018u)));
                 uint own_6 = _e160.x;
@@ -1005,52 +952,52 @@ vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
     return _e185;
 }
 
-BrushStrokes brush_strokes_bristles(float value, vec2 place_8, vec3 stretch_6, float count_5, float aspect, float size, float scatter, float turn, int seed_4, vec2 viewport_6) {
-    SpacedPlace _e10 = spaced(place_8, stretch_6, viewport_6, count_5);
-    Brush style_15 = Brush(aspect, size, scatter, 0.5, 1u, false);
-    vec2 _e17 = bristles_laid(_e10, (1.0 - value), style_15);
-    float shade_2 = (_e17.x / max(_e17.y, 0.001));
-    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e17.y);
+BrushStrokes brush_strokes_bristles(float value, vec2 place_5, vec3 stretch_3, float count_2, float aspect, float size, float scatter, float turn, int seed_4, vec2 viewport_3) {
+    SpacedPlace _e10 = spaced(place_5, stretch_3, viewport_3, count_2);
+    Brush style_15 = Brush(aspect, size, scatter, turn, 1u, false);
+    vec2 _e16 = bristles_laid(_e10, (1.0 - value), style_15);
+    float shade_2 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e16.y);
 }
 
-BrushStrokes brush_strokes_bristles_2_(float value_1, vec2 place_9, vec3 stretch_7, float count_6, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_7) {
+BrushStrokes brush_strokes_bristles_2_(float value_1, vec2 place_6, vec3 stretch_4, float count_3, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_4) {
+    SpacedPlace _e10 = spaced(place_6, stretch_4, viewport_4, count_3);
+    Brush style_16 = Brush(aspect_1, size_1, scatter_1, turn_1, 6u, false);
+    vec2 _e16 = bristles_laid_2_(_e10, (1.0 - value_1), style_16);
+    float shade_3 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e16.y);
+}
+
+BrushStrokes brush_strokes_bristles_3_(float value_2, vec2 place_7, vec3 stretch_5, float count_4, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, vec2 viewport_5) {
+    SpacedPlace _e10 = spaced(place_7, stretch_5, viewport_5, count_4);
+    Brush style_17 = Brush(aspect_2, size_2, scatter_2, turn_2, 2u, false);
+    vec2 _e16 = bristles_laid_3_(_e10, (1.0 - value_2), style_17);
+    float shade_4 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e16.y);
+}
+
+BrushStrokes brush_strokes_bristles_4_(float value_3, vec2 place_8, vec3 stretch_6, float count_5, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, vec2 viewport_6) {
+    SpacedPlace _e10 = spaced_2_(place_8, stretch_6, viewport_6, count_5);
+    Brush style_18 = Brush(aspect_3, size_3, scatter_3, turn_3, 3u, false);
+    vec2 _e16 = bristles_laid_4_(_e10, (1.0 - value_3), style_18);
+    float shade_5 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e16.y);
+}
+
+BrushStrokes brush_strokes_bristles_5_(float value_4, vec2 place_9, vec3 stretch_7, float count_6, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, vec2 viewport_7) {
     SpacedPlace _e10 = spaced_2_(place_9, stretch_7, viewport_7, count_6);
-    Brush style_16 = Brush(aspect_1, 1.5, scatter_1, 0.5, 6u, false);
-    vec2 _e18 = bristles_laid_2_(_e10, (1.0 - value_1), style_16);
-    float shade_3 = (_e18.x / max(_e18.y, 0.001));
-    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e18.y);
-}
-
-BrushStrokes brush_strokes_bristles_3_(float value_2, vec2 place_10, vec3 stretch_8, float count_7, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, vec2 viewport_8) {
-    SpacedPlace _e10 = spaced_2_(place_10, stretch_8, viewport_8, count_7);
-    Brush style_17 = Brush(aspect_2, size_2, scatter_2, 0.5, 2u, false);
-    vec2 _e17 = bristles_laid_3_(_e10, (1.0 - value_2), style_17);
-    float shade_4 = (_e17.x / max(_e17.y, 0.001));
-    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e17.y);
-}
-
-BrushStrokes brush_strokes_bristles_4_(float value_3, vec2 place_11, vec3 stretch_9, float count_8, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, vec2 viewport_9) {
-    SpacedPlace _e10 = spaced_3_(place_11, stretch_9, viewport_9, count_8);
-    Brush style_18 = Brush(3.0, 1.5, scatter_3, 0.5, 3u, false);
-    vec2 _e19 = bristles_laid_4_(_e10, (1.0 - value_3), style_18);
-    float shade_5 = (_e19.x / max(_e19.y, 0.001));
-    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e19.y);
-}
-
-BrushStrokes brush_strokes_bristles_5_(float value_4, vec2 place_12, vec3 stretch_10, float count_9, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, vec2 viewport_10) {
-    SpacedPlace _e10 = spaced_4_(place_12, stretch_10, viewport_10, count_9);
     Brush style_19 = Brush(aspect_4, size_4, scatter_4, turn_4, 4u, false);
     vec2 _e16 = bristles_laid_5_(_e10, (1.0 - value_4), style_19);
     float shade_6 = (_e16.x / max(_e16.y, 0.001));
     return BrushStrokes(vec4(shade_6, shade_6, shade_6, 1.0), _e16.y);
 }
 
-BrushStrokes brush_strokes_bristles_6_(float value_5, vec2 place_13, vec3 stretch_11, float count_10, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, vec2 viewport_11) {
-    SpacedPlace _e10 = spaced_5_(place_13, stretch_11, viewport_11, count_10);
-    Brush style_20 = Brush(aspect_5, 1.5, scatter_5, turn_5, 8u, false);
-    vec2 _e17 = bristles_laid_6_(_e10, (1.0 - value_5), style_20);
-    float shade_7 = (_e17.x / max(_e17.y, 0.001));
-    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e17.y);
+BrushStrokes brush_strokes_bristles_6_(float value_5, vec2 place_10, vec3 stretch_8, float count_7, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, vec2 viewport_8) {
+    SpacedPlace _e10 = spaced(place_10, stretch_8, viewport_8, count_7);
+    Brush style_20 = Brush(aspect_5, size_5, scatter_5, turn_5, 8u, false);
+    vec2 _e16 = bristles_laid_6_(_e10, (1.0 - value_5), style_20);
+    float shade_7 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e16.y);
 }
 
 MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_4, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
@@ -1058,14 +1005,12 @@ MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_4, vec3 view_3
     return MarkPlace(_e7.place, _e7.stretch);
 }
 
-MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewport_12) {
-    float _e5 = bounded(anchor.z);
-    float size_6 = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_12);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_15 = (_e15 / vec2(size_6));
-    StretchedPlace _e28 = mark_place_of_2_(place_15, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), angle_5);
-    return MarkPlace(_e28.place, _e28.stretch);
+MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewport_9) {
+    float size_6 = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 _e8 = place_in_picture(pixel_1, viewport_9);
+    vec2 place_12 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size_6));
+    StretchedPlace _e26 = mark_place_of_2_(place_12, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), angle_5);
+    return MarkPlace(_e26.place, _e26.stretch);
 }
 
 float reflectance_half_lambert(Light light, vec3 normal_4) {
@@ -1073,116 +1018,97 @@ float reflectance_half_lambert(Light light, vec3 normal_4) {
     return min((half_ * half_), 1.0);
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 _e3 = normalize_or(surface_1.smooth_normal_1_, surface_1.normal);
+float map_range(float value_6, float from_low, float from_high, float to_low, float to_high, bool clamped) {
+    return mix(to_low, to_high, clamp(((value_6 - from_low) / (from_high - from_low)), 0.0, 1.0));
+}
+
+vec4 shade(Surface surface) {
+    vec3 _e3 = normalize_moderate(surface.smooth_normal_1_, surface.normal);
     Light _e6 = u_look.key;
     float _e7 = reflectance_half_lambert(_e6, _e3);
-    float where_umber_goes = mix(1.0, 0.0, clamp(((_e7 - 0.02) / 0.18), 0.0, 1.0));
-    vec3 _e20 = normalize_or(surface_1.smooth_normal_3_, surface_1.normal);
-    MarkPlace _e30 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e20, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    vec2 _e41 = u_look.viewport;
-    BrushStrokes _e42 = brush_strokes_bristles(where_umber_goes, _e30.place, _e30.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e41);
-    vec4 _e48 = u_look.umber_as_paint_b;
-    vec4 _e52 = color_mixed(_e42.color, (_e42.color.xyz * _e48.xyz), 1.0);
-    vec4 _e55 = u_look.toned_canvas;
-    vec4 _e56 = bounded_vec4_(_e55);
-    vec4 _e57 = bounded_vec4_(_e52);
-    vec4 _e62 = mixed_vec4_(_e56, _e57, clamp(_e42.ink, 0.0, 1.0));
-    vec3 _e66 = u_look.sky.direction;
-    float reflected_light = max(dot(_e3, _e66), 0.0);
+    float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
+    vec3 _e16 = normalize_moderate(surface.smooth_normal_3_, surface.normal);
+    MarkPlace _e26 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e16, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    vec2 _e37 = u_look.viewport;
+    BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e37);
+    vec4 _e44 = u_look.umber_as_paint_b;
+    vec4 _e48 = color_mixed(_e38.color, (_e38.color.xyz * _e44.xyz), 1.0);
+    vec4 _e51 = u_look.toned_canvas;
+    vec4 _e52 = bounded_vec4_(_e48);
+    vec4 _e57 = mixed_vec4_(_e51, _e52, clamp(_e38.ink, 0.0, 1.0));
+    vec3 _e61 = u_look.sky.direction;
+    float reflected_light = max(dot(_e3, _e61), 0.0);
     float where_cool_reflections_go = mix(1.0, 0.0, clamp(((reflected_light - 0.25) / 0.5), 0.0, 1.0));
-    vec2 _e90 = u_look.viewport;
-    BrushStrokes _e91 = brush_strokes_bristles_2_(where_cool_reflections_go, _e30.place, _e30.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e90);
-    vec4 _e97 = u_look.cool_reflections_as_paint_b;
-    vec4 _e101 = color_mixed(_e91.color, (_e91.color.xyz * _e97.xyz), 1.0);
-    vec4 _e102 = bounded_vec4_(_e62);
-    vec4 _e103 = bounded_vec4_(_e101);
-    vec4 _e108 = mixed_vec4_(_e102, _e103, clamp(_e91.ink, 0.0, 1.0));
-    float where_half_tones_go = mix(1.0, 0.0, clamp(((_e7 - 0.24) / 0.18), 0.0, 1.0));
-    vec2 _e129 = u_look.viewport;
-    BrushStrokes _e130 = brush_strokes_bristles_3_(where_half_tones_go, _e30.place, _e30.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e129);
-    vec4 _e136 = u_look.half_tones_as_paint_b;
-    vec4 _e140 = color_mixed(_e130.color, (_e130.color.xyz * _e136.xyz), 1.0);
-    vec4 _e141 = bounded_vec4_(_e108);
-    vec4 _e142 = bounded_vec4_(_e140);
-    vec4 _e147 = mixed_vec4_(_e141, _e142, clamp(_e130.ink, 0.0, 1.0));
-    float where_light_goes = mix(1.0, 0.0, clamp(((_e7 - 0.46) / 0.2), 0.0, 1.0));
-    vec2 _e163 = u_look.viewport;
-    MarkPlace _e164 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e163);
-    vec2 _e175 = u_look.viewport;
-    BrushStrokes _e176 = brush_strokes_bristles_4_(where_light_goes, _e164.place, _e164.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e175);
-    vec4 _e182 = u_look.light_as_paint_b;
-    vec4 _e186 = color_mixed(_e176.color, (_e176.color.xyz * _e182.xyz), 1.0);
-    vec4 _e187 = bounded_vec4_(_e147);
-    vec4 _e188 = bounded_vec4_(_e186);
-    vec4 _e193 = mixed_vec4_(_e187, _e188, clamp(_e176.ink, 0.0, 1.0));
-    float where_thick_lights_go = mix(1.0, 0.0, clamp(((_e7 - 0.76) / 0.19), 0.0, 1.0));
-    vec2 _e214 = u_look.viewport;
-    BrushStrokes _e215 = brush_strokes_bristles_5_(where_thick_lights_go, _e164.place, _e164.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e214);
-    vec4 _e221 = u_look.thick_lights_as_paint_b;
-    vec4 _e225 = color_mixed(_e215.color, (_e215.color.xyz * _e221.xyz), 1.0);
-    vec4 _e226 = bounded_vec4_(_e193);
-    vec4 _e227 = bounded_vec4_(_e225);
-    vec4 _e232 = mixed_vec4_(_e226, _e227, clamp(_e215.ink, 0.0, 1.0));
-    float hollows = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e245 = bounded(hollows);
-    float where_accents_go = mix(1.0, 0.0, clamp(((_e245 + 6.0) / -14.0), 0.0, 1.0));
-    vec2 _e266 = u_look.viewport;
-    BrushStrokes _e267 = brush_strokes_bristles_6_(where_accents_go, _e30.place, _e30.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e266);
-    vec4 _e273 = u_look.accents_as_paint_b;
-    vec4 _e277 = color_mixed(_e267.color, (_e267.color.xyz * _e273.xyz), 1.0);
-    vec4 _e278 = bounded_vec4_(_e232);
-    vec4 _e279 = bounded_vec4_(_e277);
-    vec4 _e284 = mixed_vec4_(_e278, _e279, clamp(_e267.ink, 0.0, 1.0));
-    vec4 output_alpha = vec4(_e284.xyz, clamp(_e284.w, 0.0, 1.0));
-    vec4 _e291 = premultiplied(output_alpha);
-    vec4 _e292 = output_(_e291);
-    return _e292;
+    vec2 _e85 = u_look.viewport;
+    BrushStrokes _e86 = brush_strokes_bristles_2_(where_cool_reflections_go, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e85);
+    vec4 _e92 = u_look.cool_reflections_as_paint_b;
+    vec4 _e96 = color_mixed(_e86.color, (_e86.color.xyz * _e92.xyz), 1.0);
+    vec4 _e98 = mix_colors_normal(_e57, _e96, _e86.ink);
+    float _e104 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
+    vec2 _e115 = u_look.viewport;
+    BrushStrokes _e116 = brush_strokes_bristles_3_(_e104, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e115);
+    vec4 _e122 = u_look.half_tones_as_paint_b;
+    vec4 _e126 = color_mixed(_e116.color, (_e116.color.xyz * _e122.xyz), 1.0);
+    vec4 _e128 = mix_colors_normal(_e98, _e126, _e116.ink);
+    float _e134 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
+    vec2 _e140 = u_look.viewport;
+    MarkPlace _e141 = mark_place_object(0.75, surface.anchor, surface.pixel, _e140);
+    vec2 _e152 = u_look.viewport;
+    BrushStrokes _e153 = brush_strokes_bristles_4_(_e134, _e141.place, _e141.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e152);
+    vec4 _e159 = u_look.light_as_paint_b;
+    vec4 _e163 = color_mixed(_e153.color, (_e153.color.xyz * _e159.xyz), 1.0);
+    vec4 _e165 = mix_colors_normal(_e128, _e163, _e153.ink);
+    float _e171 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
+    vec2 _e182 = u_look.viewport;
+    BrushStrokes _e183 = brush_strokes_bristles_5_(_e171, _e141.place, _e141.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e182);
+    vec4 _e189 = u_look.thick_lights_as_paint_b;
+    vec4 _e193 = color_mixed(_e183.color, (_e183.color.xyz * _e189.xyz), 1.0);
+    vec4 _e195 = mix_colors_normal(_e165, _e193, _e183.ink);
+    float hollows = surface.kappa;
+    float where_accents_go = mix(1.0, 0.0, clamp(((hollows + 6.0) / -14.0), 0.0, 1.0));
+    vec2 _e217 = u_look.viewport;
+    BrushStrokes _e218 = brush_strokes_bristles_6_(where_accents_go, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e217);
+    vec4 _e224 = u_look.accents_as_paint_b;
+    vec4 _e228 = color_mixed(_e218.color, (_e218.color.xyz * _e224.xyz), 1.0);
+    vec4 _e230 = mix_colors_normal(_e195, _e228, _e218.ink);
+    vec4 output_alpha = vec4(_e230.xyz, clamp(_e230.w, 0.0, 1.0));
+    vec4 _e237 = premultiplied(output_alpha);
+    vec4 _e238 = output_(_e237);
+    return _e238;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, mat3x3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    vec4 _e37 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e43 = u_view.camera_from_world;
-    surface.smooth_normal_1_ = (vec4(_e37.xyz, 0.0) * _e43).xyz;
-    vec4 _e52 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e58 = u_view.camera_from_world;
-    surface.smooth_normal_3_ = (vec4(_e52.xyz, 0.0) * _e58).xyz;
-    vec4 _e66 = u_view.screen;
-    vec4 _e71 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e66.xy) + _e71.zw);
-    mat4x4 _e77 = u_view.camera_from_world;
-    vec4 _e81 = u_object.world_from_object[3];
-    float _e90 = u_view.eye.w;
-    float _e95 = u_view.clip_from_world[0][1];
-    float _e100 = u_view.clip_from_world[1][1];
-    float _e105 = u_view.clip_from_world[2][1];
-    vec3 _e108 = anchor_on_screen((_e77 * vec4(_e81.xyz, 1.0)).xyz, _e90, length(vec3(_e95, _e100, _e105)));
-    surface.anchor = _e108;
-    mat4x4 _e112 = u_view.camera_from_world;
-    float _e122 = u_view.eye.w;
-    float _e127 = u_view.clip_from_world[0][1];
-    float _e132 = u_view.clip_from_world[1][1];
-    float _e137 = u_view.clip_from_world[2][1];
-    float _e140 = size_on_screen(-((_e112 * vec4(in_.position, 1.0)).z), _e122, length(vec3(_e127, _e132, _e137)));
-    surface.magnification = _e140;
-    mat3x3 _e144 = u_object.world_from_normal;
-    surface.world_from_normal = _e144;
-    Surface _e145 = surface;
-    vec4 _e146 = shade(_e145);
-    vec4 _e147 = finite_vec4_(_e146);
-    out_color = _e147;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    vec4 _e31 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e37 = u_view.camera_from_world;
+    vec4 _e45 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e51 = u_view.camera_from_world;
+    vec4 _e58 = u_view.screen;
+    vec4 _e63 = u_view.screen;
+    mat4x4 _e68 = u_view.camera_from_world;
+    vec4 _e72 = u_object.world_from_object[3];
+    float _e81 = u_view.eye.w;
+    float _e86 = u_view.clip_from_world[0][1];
+    float _e91 = u_view.clip_from_world[1][1];
+    float _e96 = u_view.clip_from_world[2][1];
+    vec3 _e99 = anchor_on_screen((_e68 * vec4(_e72.xyz, 1.0)).xyz, _e81, length(vec3(_e86, _e91, _e96)));
+    mat4x4 _e102 = u_view.camera_from_world;
+    float _e112 = u_view.eye.w;
+    float _e117 = u_view.clip_from_world[0][1];
+    float _e122 = u_view.clip_from_world[1][1];
+    float _e127 = u_view.clip_from_world[2][1];
+    float _e130 = size_on_screen(-((_e102 * vec4(in_.position, 1.0)).z), _e112, length(vec3(_e117, _e122, _e127)));
+    mat3x3 _e133 = u_object.world_from_normal;
+    Surface surface_1 = Surface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, (vec4(_e31.xyz, 0.0) * _e37).xyz, (vec4(_e45.xyz, 0.0) * _e51).xyz, ((in_.clip.xy * _e58.xy) + _e63.zw), _e99, _e130, _e133);
+    vec4 _e135 = shade(surface_1);
+    vec4 _e136 = finite_vec4_(_e135);
+    out_color = _e136;
     return;
 }
 

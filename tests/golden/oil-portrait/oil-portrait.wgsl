@@ -74,33 +74,10 @@ struct Light {
     intensity: f32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     let exponent = vec4u(0x7f800000u);
     return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -108,8 +85,9 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -128,11 +106,13 @@ fn log2_stable(x: f32) -> f32 {
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 fn sin_cos_eighth(x: f32) -> vec2f {
-    let s = x * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333 + 0.5625
+    let s = x * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625
+        * (0.00833333333333333333 + 0.5625
         * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
-    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666666666666664 + 0.5625
-        * (0.00138888888888888889 + 0.5625 * (-2.48015873015873e-5 + 0.5625
-        * 2.75573192239858907e-7))));
+    let c = 1.0 - 0.5625 * (0.5 + 0.5625
+        * (-0.041666666666666664 + 0.5625
+        * (0.00138888888888888889 + 0.5625
+        * (-2.48015873015873e-5 + 0.5625 * 2.75573192239858907e-7))));
     return vec2f(s, c);
 }
 
@@ -157,15 +137,6 @@ fn bounded(x: f32) -> f32 {
     let magnitude = bits & 0x7fffffffu;
     let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
@@ -229,6 +200,14 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
+/// Mix colors
+///
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
+fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
+    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), clamp(factor, 0.0, 1.0));
+}
+
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
@@ -273,24 +252,27 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -393,10 +375,9 @@ fn mark_place_of_2(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Str
     let turn = clamp(sin_cos_eighth(0.75), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
@@ -413,15 +394,15 @@ fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal
     view: vec3f, magnification: f32, angle: f32) -> StretchedPlace {
     let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
     let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
-    let along = bounded_vec3(world_from_normal * axes[0]);
-    let across = bounded_vec3(world_from_normal * axes[2]);
+    let along = world_from_normal * axes[0];
+    let across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, view: vec3f,
     magnification: f32, angle: f32) -> StretchedPlace {
-    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let height = 1.0 / clamp(magnification, 1e-15, 1e15);
     let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
     let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
     return mark_place_of(place, x, y, angle);
@@ -437,7 +418,7 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(14.0, 14.0 / max(viewport.y, 1.0), is_pixel);
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
     return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
@@ -447,38 +428,9 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPl
 /// place without a stretch is one in pixels.
 fn spaced_2(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(18.0, 18.0 / max(viewport.y, 1.0), is_pixel);
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
-    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_3(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(24.0, 24.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_4(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(32.0, 32.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_5(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(44.0, 44.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
-    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -523,8 +475,8 @@ fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
         }
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
-            1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = (corner % 3 + 3) % 3;
         i = 0;
@@ -534,8 +486,8 @@ fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(1i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -580,8 +532,8 @@ fn bristles_laid_2(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
         }
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
-            1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = (corner % 3 + 3) % 3;
         i = 0;
@@ -591,8 +543,8 @@ fn bristles_laid_2(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(6i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -637,8 +589,8 @@ fn bristles_laid_3(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
         }
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
-            1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = (corner % 3 + 3) % 3;
         i = 0;
@@ -648,8 +600,8 @@ fn bristles_laid_3(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(2i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -704,8 +656,8 @@ fn bristles_laid_4(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(3i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -750,8 +702,8 @@ fn bristles_laid_5(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
         }
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
-            1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = (corner % 3 + 3) % 3;
         i = 0;
@@ -761,8 +713,8 @@ fn bristles_laid_5(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(4i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -807,8 +759,8 @@ fn bristles_laid_6(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
         }
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
-            1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = (corner % 3 + 3) % 3;
         i = 0;
@@ -818,8 +770,8 @@ fn bristles_laid_6(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
             let turning = cell + vec2i(8i, 7 * (i32(zoom) + octave));
-            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
-                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let late = 0.96875 * ((f32((tile[blue_index(turning)]
+                >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -859,8 +811,8 @@ fn bristle(row: f32, seed: u32) -> vec3f {
 /// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
-    let own = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(0, 1, 0)) + seed * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let own = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(0, 1, 0)) + seed
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
     let start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
@@ -886,8 +838,8 @@ struct Brushstroke {
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 1u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 1u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = 0.5 * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -905,8 +857,8 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke_2(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 6u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 6u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = 0.5 * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -924,8 +876,8 @@ fn brush_stroke_2(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke_3(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = 0.5 * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -943,8 +895,8 @@ fn brush_stroke_3(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke_4(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = 0.5 * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -962,8 +914,8 @@ fn brush_stroke_4(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke_5(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = style.turn * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -981,8 +933,8 @@ fn brush_stroke_5(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) ->
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke_6(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 8u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 8u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let x = style.turn * (chance.z - 0.5);
     let turn = vec2f(sin(x), cos(x));
@@ -1024,7 +976,7 @@ fn brush_turned_3(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
 fn brush_strokes_bristles(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
     let at = spaced(place, stretch, viewport, count);
-    let style = Brush(aspect, size, scatter, 0.5, 1u, false);
+    let style = Brush(aspect, size, scatter, turn, 1u, false);
     let paint = bristles_laid(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
@@ -1032,8 +984,8 @@ fn brush_strokes_bristles(value: f32, place: vec2f, stretch: vec3f, count: f32, 
 
 fn brush_strokes_bristles_2(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_2(place, stretch, viewport, count);
-    let style = Brush(aspect, 1.5, scatter, 0.5, 6u, false);
+    let at = spaced(place, stretch, viewport, count);
+    let style = Brush(aspect, size, scatter, turn, 6u, false);
     let paint = bristles_laid_2(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
@@ -1041,8 +993,8 @@ fn brush_strokes_bristles_2(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_3(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_2(place, stretch, viewport, count);
-    let style = Brush(aspect, size, scatter, 0.5, 2u, false);
+    let at = spaced(place, stretch, viewport, count);
+    let style = Brush(aspect, size, scatter, turn, 2u, false);
     let paint = bristles_laid_3(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
@@ -1050,8 +1002,8 @@ fn brush_strokes_bristles_3(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_4(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_3(place, stretch, viewport, count);
-    let style = Brush(3.0, 1.5, scatter, 0.5, 3u, false);
+    let at = spaced_2(place, stretch, viewport, count);
+    let style = Brush(aspect, size, scatter, turn, 3u, false);
     let paint = bristles_laid_4(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
@@ -1059,7 +1011,7 @@ fn brush_strokes_bristles_4(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_5(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_4(place, stretch, viewport, count);
+    let at = spaced_2(place, stretch, viewport, count);
     let style = Brush(aspect, size, scatter, turn, 4u, false);
     let paint = bristles_laid_5(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1068,8 +1020,8 @@ fn brush_strokes_bristles_5(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_6(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_5(place, stretch, viewport, count);
-    let style = Brush(aspect, 1.5, scatter, turn, 8u, false);
+    let at = spaced(place, stretch, viewport, count);
+    let style = Brush(aspect, size, scatter, turn, 8u, false);
     let paint = bristles_laid_6(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
@@ -1091,8 +1043,8 @@ fn mark_place_axis(axis: vec3f, normal: vec3f, angle: f32, view: vec3f, position
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of_2(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -1109,42 +1061,68 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
     return min(half * half, 1.0);
 }
 
+/// Map range
+///
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool)
+    -> f32 {
+    return mix(to_low, to_high, clamp((value - from_low) / (from_high - from_low), 0.0, 1.0));
+}
+
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let planes = normalize_or(surface.smooth_normal_1, surface.normal);
+    let planes = normalize_moderate(surface.smooth_normal_1, surface.normal);
     let light_and_shade = reflectance_half_lambert(look.key, planes);
-    let where_umber_goes = mix(1.0, 0.0, clamp((light_and_shade - 0.02) / (0.2 - 0.02), 0.0, 1.0));
-    let large_forms = normalize_or(surface.smooth_normal_3, surface.normal);
-    let strokes_round_the_form = mark_place_axis(vec3f(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
+    let where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
+    let large_forms = normalize_moderate(surface.smooth_normal_3, surface.normal);
+    let strokes_round_the_form = mark_place_axis(vec3f(0.35, 1.0, 0.25), large_forms, 0.0,
+        surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
     let umber_as_paint = color_mixed(umber.color, umber.color.xyz * look.umber_as_paint_b.xyz, 1.0);
-    let umber_laid_on = mixed_vec4(bounded_vec4(look.toned_canvas), bounded_vec4(umber_as_paint), clamp(umber.ink, 0.0, 1.0));
+    let umber_laid_on = mixed_vec4(look.toned_canvas, bounded_vec4(umber_as_paint),
+        clamp(umber.ink, 0.0, 1.0));
     let reflected_light = max(dot(planes, look.sky.direction), 0.0);
     let where_cool_reflections_go = mix(1.0, 0.0, clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
-    let cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i, look.viewport);
-    let cool_reflections_as_paint = color_mixed(cool_reflections.color, cool_reflections.color.xyz * look.cool_reflections_as_paint_b.xyz, 1.0);
-    let cool_reflections_laid_on = mixed_vec4(bounded_vec4(umber_laid_on), bounded_vec4(cool_reflections_as_paint), clamp(cool_reflections.ink, 0.0, 1.0));
-    let where_half_tones_go = mix(1.0, 0.0, clamp((light_and_shade - 0.24) / (0.42 - 0.24), 0.0, 1.0));
-    let half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
-    let half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz * look.half_tones_as_paint_b.xyz, 1.0);
-    let half_tones_laid_on = mixed_vec4(bounded_vec4(cool_reflections_laid_on), bounded_vec4(half_tones_as_paint), clamp(half_tones.ink, 0.0, 1.0));
-    let where_light_goes = mix(1.0, 0.0, clamp((light_and_shade - 0.46) / (0.66 - 0.46), 0.0, 1.0));
-    let strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, look.viewport);
-    let light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
+    let cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go,
+        strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i,
+        look.viewport);
+    let cool_reflections_as_paint = color_mixed(cool_reflections.color, cool_reflections.color.xyz
+        * look.cool_reflections_as_paint_b.xyz, 1.0);
+    let cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint,
+        cool_reflections.ink);
+    let where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
+    let half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
+    let half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz
+        * look.half_tones_as_paint_b.xyz, 1.0);
+    let half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint,
+        half_tones.ink);
+    let where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
+    let strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel,
+        look.viewport);
+    let light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place,
+        strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
     let light_as_paint = color_mixed(light.color, light.color.xyz * look.light_as_paint_b.xyz, 1.0);
-    let light_laid_on = mixed_vec4(bounded_vec4(half_tones_laid_on), bounded_vec4(light_as_paint), clamp(light.ink, 0.0, 1.0));
-    let where_thick_lights_go = mix(1.0, 0.0, clamp((light_and_shade - 0.76) / (0.95 - 0.76), 0.0, 1.0));
-    let thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
-    let thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz * look.thick_lights_as_paint_b.xyz, 1.0);
-    let thick_lights_laid_on = mixed_vec4(bounded_vec4(light_laid_on), bounded_vec4(thick_lights_as_paint), clamp(thick_lights.ink, 0.0, 1.0));
-    let hollows = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let where_accents_go = mix(1.0, 0.0, clamp((bounded(hollows) + 6.0) / -14.0, 0.0, 1.0));
-    let accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
-    let accents_as_paint = color_mixed(accents.color, accents.color.xyz * look.accents_as_paint_b.xyz, 1.0);
-    let accents_laid_on = mixed_vec4(bounded_vec4(thick_lights_laid_on), bounded_vec4(accents_as_paint), clamp(accents.ink, 0.0, 1.0));
+    let light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
+    let where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
+    let thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place,
+        strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
+    let thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz
+        * look.thick_lights_as_paint_b.xyz, 1.0);
+    let thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint,
+        thick_lights.ink);
+    let hollows = surface.kappa;
+    let where_accents_go = mix(1.0, 0.0, clamp((hollows + 6.0) / -14.0, 0.0, 1.0));
+    let accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
+    let accents_as_paint = color_mixed(accents.color, accents.color.xyz
+        * look.accents_as_paint_b.xyz, 1.0);
+    let accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
     let output_alpha = vec4f(accents_laid_on.xyz, clamp(accents_laid_on.w, 0.0, 1.0));
-    let output_2 = output(premultiplied(output_alpha));
-    return output_2;
+    return output(premultiplied(output_alpha));
 }
 
 struct Vertex {
@@ -1162,29 +1140,24 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.smooth_normal_1 = (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    surface.smooth_normal_3 = (vec4f(textureLoad(smooth_normal_3_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    surface.magnification = size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    surface.world_from_normal = object.world_from_normal;
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x,
+        (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0)
+        * view.camera_from_world).xyz, (vec4f(textureLoad(smooth_normal_3_map, vec2i(in.clip.xy),
+        0).xyz, 0.0) * view.camera_from_world).xyz, in.clip.xy * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))), size_on_screen(-(view.camera_from_world
+        * vec4f(in.position, 1.0)).z, view.eye.w,
+        length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))), object.world_from_normal);
+    return finite_vec4(shade(surface));
 }

@@ -52,7 +52,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 const ProfileShape tone_shape = ProfileShape(0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u);
 
@@ -68,11 +67,6 @@ layout(location = 0) out vec4 out_color;
 
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -97,14 +91,6 @@ float bounded(float x) {
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_1) {
-    uvec2 bits_1 = floatBitsToUint(v_1);
-    uvec2 magnitude_1 = (bits_1 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_1 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_1, lessThan(magnitude_1, uvec2(2139095040u)));
-}
-
 float footprint_of(float x_1) {
     float _e1 = dFdx(x_1);
     float _e2 = dFdy(x_1);
@@ -120,26 +106,13 @@ float footprint_of_2_(float x_2) {
     return sqrt(dot(d_1, d_1));
 }
 
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-vec3 tensor_safe(vec3 tensor) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return vec3(_e2, _e4, _e6);
-}
-
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
@@ -177,54 +150,47 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light.direction - (dot(light.direction, view) * view));
     float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
 float dither_blue(float value, vec2 place, int levels, float spread, float size) {
-    vec2 _e5 = bounded_vec2_(place);
-    ivec2 cell_1 = ivec2(floor(clamp((_e5 / vec2(2.0)), vec2(-4194304.0), vec2(4194304.0))));
-    uint _e21 = blue_index(cell_1);
-    return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[_e21] >> (8u * (uint(cell_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
+    ivec2 cell_1 = ivec2(floor((place / vec2(size))));
+    uint _e14 = blue_index(cell_1);
+    return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[_e14] >> (8u * (uint(cell_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
 }
 
-float faded_in(float x_3, float limit, float softness_1) {
-    float _e3 = footprint_of(x_3);
-    float width_2 = length(vec2(min(_e3, 1000000000000000.0), (20.0 * softness_1)));
-    float _e10 = bounded(x_3);
-    return clamp((0.5 + ((_e10 - 20.0) / width_2)), 0.0, 1.0);
-}
-
-float inner_contour_suggestive(float width_1, float limit_1, float softness_2, vec3 tensor_1, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place_1, vec2 viewport) {
+float inner_contour_suggestive(float width_1, float limit, float softness_1, vec3 tensor, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place_1, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
-    vec3 _e10 = tensor_safe(tensor_1);
     float square = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square, 1e-6));
-    float _e36 = dFdx(radial);
-    float _e37 = dFdy(radial);
-    vec2 change = vec2(_e36, _e37);
-    vec3 v_2 = (camera_from_world * view_1);
+    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square, 1e-6));
+    float _e35 = dFdx(radial);
+    float _e36 = dFdy(radial);
+    vec2 change = vec2(_e35, _e36);
+    vec3 v_1 = (camera_from_world * view_1);
     vec3 row = dFdy(place_1);
-    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_1) * v_1)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
     float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float _e79 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e79) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float x_3 = ((toward_eye * height) * 0.05);
+    float _e79 = footprint_of(x_3);
+    float strength = clamp((0.5 + ((x_3 - limit) / length(vec2(min(_e79, 1000000000000000.0), (limit * softness_1))))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
-    float _e27 = dither_blue(_e22, surface_1.pixel, 2, 1.0, 2.0);
+    float _e27 = dither_blue(_e22, surface.pixel, 2, 1.0, 2.0);
     Light _e30 = u_look.back;
-    float _e36 = rim(_e30, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
+    float _e36 = rim(_e30, surface.normal, surface.view, 0.34, 0.0, 1.0);
     float both_lights = max(_e27, _e36);
     mat3x3 _e46 = u_look.camera_from_world;
     vec2 _e50 = u_look.viewport;
-    float _e51 = inner_contour_suggestive(3.0, 20.0, 0.1, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e46, surface_1.position_camera, _e50);
+    float _e51 = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, _e46, surface.position_camera, _e50);
     float lines_cut_out = min(both_lights, (1.0 - _e51));
     vec4 _e67 = blend_alpha(vec4(0.1333, 0.1216, 0.2, 1.0), vec4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
     return _e67;
@@ -233,23 +199,17 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    mat4x4 _e24 = u_view.camera_from_world;
-    surface.position_camera = (_e24 * vec4(in_.position, 1.0)).xyz;
-    vec4 _e36 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    surface.curvature_tensor = _e36.xyz;
-    vec4 _e43 = u_view.screen;
-    vec4 _e48 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e43.xy) + _e48.zw);
-    Surface _e51 = surface;
-    vec4 _e52 = shade(_e51);
-    out_color = _e52;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    mat4x4 _e20 = u_view.camera_from_world;
+    vec4 _e31 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    vec4 _e37 = u_view.screen;
+    vec4 _e42 = u_view.screen;
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), (_e20 * vec4(in_.position, 1.0)).xyz, _e31.xyz, ((in_.clip.xy * _e37.xy) + _e42.zw));
+    vec4 _e46 = shade(surface_1);
+    out_color = _e46;
     return;
 }
 

@@ -70,19 +70,10 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -112,15 +103,6 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -131,18 +113,6 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_2(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return sqrt(dot(d, d));
-}
-
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
-/// Tensor fit for use: [`kappa_safe`] of each number.
-fn tensor_safe(tensor: vec3f) -> vec3f {
-    return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -172,8 +142,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -281,9 +250,9 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / max(edge, 1e-6) + 0.5;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, across * inverseSqrt(max(dot(across, across),
-        1e-30)));
-    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
+    let side = dot(normal - dot(normal, view) * view, across
+        * inverseSqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// Dither
@@ -292,9 +261,10 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
 /// average stays: pixel art, woodcut grain, bands whose edges are sprinkled. Bayer's matrices make
 /// a regular weave; blue noise has neither a pattern nor clumps; white noise is chance.
 fn dither_blue(value: f32, place: vec2f, levels: i32, spread: f32, size: f32) -> f32 {
-    let cell = vec2i(floor(clamp(bounded_vec2(place) / 2.0, vec2f(-4194304.0), vec2f(4194304.0))));
-    return select(0.0, 1.0, value - 0.0 - 0.5 >= (f32((BLUE_TILE[blue_index(cell)] >> (8u
-        * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625 - 0.5);
+    let cell = vec2i(floor(place / size));
+    return select(0.0, 1.0, value - 0.0 - 0.5
+        >= (f32((BLUE_TILE[blue_index(cell)] >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu)
+        + 0.5) * 0.00390625 - 0.5);
 }
 
 /// Inner contour
@@ -304,9 +274,9 @@ fn dither_blue(value: f32, place: vec2f, levels: i32, spread: f32, size: f32) ->
 fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
     view: vec3f, camera_from_world: mat3x3f, place: vec3f, viewport: vec2f) -> f32 {
     let n = camera_from_world * normal;
-    let h = tensor_safe(tensor);
     let square = dot(n.xy, n.xy);
-    let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
+    let radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
     let v = camera_from_world * view;
     let row = dpdy(place);
@@ -315,31 +285,29 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = 1.5 * height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    let strength = faded_in(toward_eye * height * 0.05, limit, softness);
-    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength * smoothstep(0.05, 0.3,
-        dot(normal, view));
-}
-
-/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
-fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
-    let width = length(vec2f(min(footprint_of(x), 1e15), 20.0 * softness));
-    return clamp(0.5 + (bounded(x) - 20.0) / width, 0.0, 1.0);
+    let x = toward_eye * height * 0.05;
+    let strength = clamp(0.5 + (x - limit)
+        / length(vec2f(min(footprint_of(x), 1e15), limit * softness)), 0.0, 1.0);
+    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength
+        * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
 const tone_shape = ProfileShape(0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let tone = profile_balanced(turned_from_the_key, 0.0, tone_shape);
     let spray = dither_blue(tone, surface.pixel, 2i, 1.0, 2.0);
     let edge_of_light = rim(look.back, surface.normal, surface.view, 0.34, 0.0, 1.0);
     let both_lights = max(spray, edge_of_light);
-    let line = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    let line = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal,
+        surface.view, look.camera_from_world, surface.position_camera, look.viewport);
     let lines_cut_out = min(both_lights, 1.0 - line);
-    let light = blend_alpha(vec4f(0.1333, 0.1216, 0.2, 1.0), vec4f(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
-    let output = light;
-    return output;
+    let light = blend_alpha(vec4f(0.1333, 0.1216, 0.2, 1.0), vec4f(0.9373, 0.902, 0.8118, 1.0),
+        lines_cut_out, 1.0, true);
+    return light;
 }
 
 struct Vertex {
@@ -356,23 +324,17 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_camera = (view.camera_from_world * vec4f(in.position, 1.0)).xyz;
-    surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        (view.camera_from_world * vec4f(in.position, 1.0)).xyz,
+        textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz, in.clip.xy * view.screen.xy
+        + view.screen.zw);
+    return shade(surface);
 }

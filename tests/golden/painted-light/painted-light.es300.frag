@@ -43,7 +43,6 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
 const ProfileShape behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
@@ -55,11 +54,6 @@ layout(location = 0) out vec4 out_color;
 
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -77,21 +71,27 @@ Angle angle_turned(Angle u_1, vec2 t) {
     return Angle(turned.x, turned.y);
 }
 
-LitLayer light_apply(Light light, vec4 color, float tone) {
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+}
+
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+}
+
+Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
+    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e7 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(_e7), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
 }
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_1) {
     float q_1 = (s_1 * shape_1.scale);
-    float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_1.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_1.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_2) {
@@ -166,41 +166,36 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    vec3 _e5 = u_look.window.direction;
-    vec3 _e14 = u_look.window.direction;
-    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
-    Light _e25 = u_look.window;
-    LitLayer _e31 = light_apply(_e25, vec4(0.18708, 0.62392, 0.48886, 1.0), _e22);
-    vec4 body_blend = clamp(vec4((vec3(0.14678, 0.1201, 0.28662) + (_e31.tone * _e31.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e52 = u_look.lamp.direction;
-    vec3 _e61 = u_look.lamp.direction;
-    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e52))), (0.5 * length((surface_1.normal + _e61))));
-    float _e69 = profile_balanced_2_(light_angle, 0.0, light_tone_shape);
-    Light _e72 = u_look.lamp;
-    LitLayer _e78 = light_apply(_e72, vec4(0.81701, 0.67278, 0.30725, 1.0), _e69);
-    vec4 light_blend = clamp(vec4((body_blend.xyz + (_e78.tone * _e78.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e96 = u_look.back.direction;
-    vec3 _e105 = u_look.back.direction;
-    Angle behind_angle = Angle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
-    float _e113 = profile_balanced_3_(behind_angle, 0.0, behind_tone_shape);
-    Light _e116 = u_look.back;
-    LitLayer _e122 = light_apply(_e116, vec4(0.08, 0.09, 0.1, 1.0), _e113);
-    vec4 output_ = clamp(vec4((light_blend.xyz + (_e122.tone * _e122.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+vec4 shade(Surface surface) {
+    Light _e3 = u_look.window;
+    Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
+    float _e8 = profile_balanced(_e5, 0.0, body_tone_shape);
+    Light _e11 = u_look.window;
+    LitLayer _e17 = light_apply(_e11, vec4(0.18708, 0.62392, 0.48886, 1.0), _e8);
+    vec4 _e27 = blend_add(vec4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
+    Light _e30 = u_look.lamp;
+    Angle _e32 = parametrization_diffuse_balanced(_e30, surface.normal);
+    float _e35 = profile_balanced_2_(_e32, 0.0, light_tone_shape);
+    Light _e38 = u_look.lamp;
+    LitLayer _e44 = light_apply(_e38, vec4(0.81701, 0.67278, 0.30725, 1.0), _e35);
+    vec4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
+    Light _e52 = u_look.back;
+    Angle _e54 = parametrization_diffuse_balanced(_e52, surface.normal);
+    float _e57 = profile_balanced_3_(_e54, 0.0, behind_tone_shape);
+    Light _e60 = u_look.back;
+    LitLayer _e66 = light_apply(_e60, vec4(0.08, 0.09, 0.1, 1.0), _e57);
+    vec4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
+    return _e71;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    Surface _e8 = surface;
-    vec4 _e9 = shade(_e8);
-    out_color = _e9;
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
+    Surface surface_1 = Surface(normal_1);
+    vec4 _e7 = shade(surface_1);
+    out_color = _e7;
     return;
 }
 

@@ -87,7 +87,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
 static const ProfileShape light_tone_shape = ConstructProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
 static const ProfileShape behind_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
@@ -97,12 +96,12 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
-    float3 normal : LOC0;
+    float3 normal_1 : LOC0;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
-    float3 normal_1 : LOC0;
+    float3 normal_2 : LOC0;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -110,12 +109,6 @@ struct FragmentInput_fs_main {
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -143,6 +136,11 @@ Angle angle_turned(Angle u_1, float2 t)
     return angle_3;
 }
 
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
+{
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+}
+
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -150,25 +148,29 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color, float tone)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
+}
+
+Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
+{
+    const Angle angle_4 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+    return angle_4;
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e7 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(_e7), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
 }
 
 float profile_soft_quick_2_(float s_1, ProfileShape shape_1)
 {
     float q_1 = (s_1 * shape_1.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_1.exponent * _e8), -126.0)), 1.0)));
+    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_1.exponent));
 }
 
 float profile_ramp_quick(float s_2, float w, ProfileShape shape_2)
@@ -250,58 +252,60 @@ float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    float3 _e5 = look.window.direction;
-    float3 _e14 = look.window.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
-    const float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
-    Light _e25 = look.window;
-    const LitLayer _e31 = light_apply(_e25, float4(0.18708, 0.62392, 0.48886, 1.0), _e22);
-    float4 body_blend = clamp(float4((float3(0.14678, 0.1201, 0.28662) + (_e31.tone * _e31.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e52 = look.lamp.direction;
-    float3 _e61 = look.lamp.direction;
-    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e52))), (0.5 * length((surface_1.normal + _e61))));
-    const float _e69 = profile_balanced_2_(light_angle, 0.0, light_tone_shape);
-    Light _e72 = look.lamp;
-    const LitLayer _e78 = light_apply(_e72, float4(0.81701, 0.67278, 0.30725, 1.0), _e69);
-    float4 light_blend = clamp(float4((body_blend.xyz + (_e78.tone * _e78.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e96 = look.back.direction;
-    float3 _e105 = look.back.direction;
-    Angle behind_angle = ConstructAngle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
-    const float _e113 = profile_balanced_3_(behind_angle, 0.0, behind_tone_shape);
-    Light _e116 = look.back;
-    const LitLayer _e122 = light_apply(_e116, float4(0.08, 0.09, 0.1, 1.0), _e113);
-    float4 output = clamp(float4((light_blend.xyz + (_e122.tone * _e122.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    Light _e3 = look.window;
+    const Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
+    const float _e8 = profile_balanced(_e5, 0.0, body_tone_shape);
+    Light _e11 = look.window;
+    const LitLayer _e17 = light_apply(_e11, float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
+    const float4 _e27 = blend_add(float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
+    Light _e30 = look.lamp;
+    const Angle _e32 = parametrization_diffuse_balanced(_e30, surface.normal);
+    const float _e35 = profile_balanced_2_(_e32, 0.0, light_tone_shape);
+    Light _e38 = look.lamp;
+    const LitLayer _e44 = light_apply(_e38, float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
+    const float4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
+    Light _e52 = look.back;
+    const Angle _e54 = parametrization_diffuse_balanced(_e52, surface.normal);
+    const float _e57 = profile_balanced_3_(_e54, 0.0, behind_tone_shape);
+    Light _e60 = look.back;
+    const LitLayer _e66 = light_apply(_e60, float4(0.08, 0.09, 0.1, 1.0), _e57);
+    const float4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
+    return _e71;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
+Surface ConstructSurface(float3 arg0) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    return ret;
+}
+
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    Surface _e8 = surface;
-    const float4 _e9 = shade(_e8);
-    return _e9;
+    float3 normal_3 = (is_front ? _e3 : -(_e3));
+    Surface surface_1 = ConstructSurface(normal_3);
+    const float4 _e7 = shade(surface_1);
+    return _e7;
 }

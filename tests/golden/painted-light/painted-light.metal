@@ -37,6 +37,7 @@ struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -64,7 +65,6 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
 constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
 constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
@@ -73,13 +73,6 @@ metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -102,13 +95,30 @@ Angle angle_turned(
     return Angle {turned.x, turned.y};
 }
 
+Composite blend_add(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
+) {
+    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+}
+
 LitLayer light_apply(
     Light light,
-    Color color,
-    float tone
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+}
+
+Angle parametrization_diffuse_balanced(
+    Light light_1,
+    metal::float3 normal
+) {
+    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
 }
 
 float profile_soft_quick(
@@ -116,8 +126,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e7 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(_e7), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), 1.0);
 }
 
 float profile_soft_quick_2_(
@@ -125,8 +134,7 @@ float profile_soft_quick_2_(
     ProfileShape shape_1
 ) {
     float q_1 = s_1 * shape_1.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_1.exponent * _e8, -126.0)), 1.0));
+    return (s_1 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_1 * q_1), 0.0), shape_1.exponent);
 }
 
 float profile_ramp_quick(
@@ -230,36 +238,33 @@ float profile_balanced_3_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.window.direction;
-    metal::float3 _e14 = look.window.direction;
-    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
-    float _e22 = profile_balanced(body_angle, 0.0, body_tone_shape);
-    Light _e25 = look.window;
-    LitLayer _e31 = light_apply(_e25, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e22);
-    metal::float4 body_blend = metal::clamp(metal::float4(metal::float3(0.14678, 0.1201, 0.28662) + (_e31.tone * _e31.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e52 = look.lamp.direction;
-    metal::float3 _e61 = look.lamp.direction;
-    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e52), 0.5 * metal::length(surface_1.normal + _e61)};
-    float _e69 = profile_balanced_2_(light_angle, 0.0, light_tone_shape);
-    Light _e72 = look.lamp;
-    LitLayer _e78 = light_apply(_e72, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e69);
-    metal::float4 light_blend = metal::clamp(metal::float4(body_blend.xyz + (_e78.tone * _e78.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e96 = look.back.direction;
-    metal::float3 _e105 = look.back.direction;
-    Angle behind_angle = Angle {0.5 * metal::length(surface_1.normal - _e96), 0.5 * metal::length(surface_1.normal + _e105)};
-    float _e113 = profile_balanced_3_(behind_angle, 0.0, behind_tone_shape);
-    Light _e116 = look.back;
-    LitLayer _e122 = light_apply(_e116, metal::float4(0.08, 0.09, 0.1, 1.0), _e113);
-    metal::float4 output = metal::clamp(metal::float4(light_blend.xyz + (_e122.tone * _e122.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    Light _e3 = look.window;
+    Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
+    float _e8 = profile_balanced(_e5, 0.0, body_tone_shape);
+    Light _e11 = look.window;
+    LitLayer _e17 = light_apply(_e11, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
+    Composite _e27 = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
+    Light _e30 = look.lamp;
+    Angle _e32 = parametrization_diffuse_balanced(_e30, surface.normal);
+    float _e35 = profile_balanced_2_(_e32, 0.0, light_tone_shape);
+    Light _e38 = look.lamp;
+    LitLayer _e44 = light_apply(_e38, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
+    Composite _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
+    Light _e52 = look.back;
+    Angle _e54 = parametrization_diffuse_balanced(_e52, surface.normal);
+    float _e57 = profile_balanced_3_(_e54, 0.0, behind_tone_shape);
+    Light _e60 = look.back;
+    LitLayer _e66 = light_apply(_e60, metal::float4(0.08, 0.09, 0.1, 1.0), _e57);
+    Composite _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
+    return _e71;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -270,22 +275,18 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
 
 struct fs_mainInput {
-    metal::float3 normal [[user(loc0), center_perspective]];
+    metal::float3 normal_1 [[user(loc0), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -296,12 +297,10 @@ fragment fs_mainOutput fs_main(
 , bool is_front [[front_facing]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
+    const Varyings in = { clip, varyings_1.normal_1 };
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    Surface _e8 = surface;
-    metal::float4 _e9 = shade(_e8, look);
-    return fs_mainOutput { _e9 };
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    Surface surface_1 = Surface {normal_1};
+    metal::float4 _e7 = shade(surface_1, look);
+    return fs_mainOutput { _e7 };
 }

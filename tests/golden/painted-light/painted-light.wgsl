@@ -38,6 +38,9 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -59,19 +62,10 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -92,6 +86,13 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+}
+
 /// Light on a layer
 ///
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
@@ -106,6 +107,10 @@ struct LitLayer {
     color: Color,
     /// The tone under this light.
     tone: f32,
+}
+
+fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -130,15 +135,13 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(log2_one_minus(min(q * q, 1.0))), 1.0), 0.0, q >= 1.0), 1.0, s
-        <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), 1.0), 1.0, s <= 0.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick_2(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -223,20 +226,20 @@ const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.779156
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let body_angle = Angle(0.5 * length(surface.normal - look.window.direction), 0.5 * length(surface.normal + look.window.direction));
+    let body_angle = parametrization_diffuse_balanced(look.window, surface.normal);
     let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.window, vec4f(0.18708, 0.62392, 0.48886, 1.0), body_tone);
-    let body_blend = clamp(vec4f(vec4f(0.14678, 0.1201, 0.28662, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let light_angle = Angle(0.5 * length(surface.normal - look.lamp.direction), 0.5 * length(surface.normal + look.lamp.direction));
+    let body_blend = blend_add(vec4f(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
+    let light_angle = parametrization_diffuse_balanced(look.lamp, surface.normal);
     let light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.lamp, vec4f(0.81701, 0.67278, 0.30725, 1.0), light_tone);
-    let light_blend = clamp(vec4f(body_blend.xyz + light_lit.tone * light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let behind_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+    let behind_angle = parametrization_diffuse_balanced(look.back, surface.normal);
     let behind_tone = profile_balanced_3(behind_angle, 0.0, behind_tone_shape);
     let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
-    let behind_blend = clamp(vec4f(light_blend.xyz + behind_lit.tone * behind_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let output = behind_blend;
-    return output;
+    let behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+    return behind_blend;
 }
 
 struct Vertex {
@@ -252,18 +255,13 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal);
+    return shade(surface);
 }

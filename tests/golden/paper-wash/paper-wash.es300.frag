@@ -61,6 +61,7 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const Ramp indigo_to_warm_paper = Ramp(vec4[16](vec4(0.13, 0.14, 0.33, 1.0), vec4(0.24, 0.36, 0.56, 1.0), vec4(0.53, 0.66, 0.72, 1.0), vec4(0.9, 0.8, 0.68, 1.0), vec4(0.975, 0.95, 0.9, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.62, 0.82), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -103,28 +104,12 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    uvec2 bits_2 = floatBitsToUint(v_3);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
-}
-
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_3 = floatBitsToUint(v_4);
-    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec3(2139095040u)));
-}
-
-vec4 bounded_vec4_(vec4 v_5) {
-    uvec4 bits_4 = floatBitsToUint(v_5);
-    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
-    vec4 largest_3 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_2 = mix(vec4(0.0), largest_3, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_5, lessThan(magnitude_3, uvec4(2139095040u)));
+vec4 bounded_vec4_(vec4 v_3) {
+    uvec4 bits_2 = floatBitsToUint(v_3);
+    uvec4 magnitude_1 = (bits_2 & uvec4(2147483647u));
+    vec4 largest_1 = uintBitsToFloat(((bits_2 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -234,9 +219,9 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_6 = places[(_e31 / 4u)][(_e35 % 4u)];
+    float place_5 = places[(_e31 / 4u)][(_e35 % 4u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_6))) {
+    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_5))) {
         uint _e47 = at;
         vec4 _e49 = colors[_e47];
         return _e49;
@@ -244,8 +229,8 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
     uint _e50 = at;
     uint after_1 = (_e50 + 1u);
     float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span = (_e59 - place_6);
-    float _e62 = divided((x_7 - place_6), span);
+    float span = (_e59 - place_5);
+    float _e62 = divided((x_7 - place_5), span);
     float t_1 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
@@ -259,12 +244,12 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
         vec4 _e96 = colors[after_1];
         uint _e97 = at;
         vec4 _e99 = colors[_e97];
-        vec4 _e101 = ramp_slope((_e87 - _e92), (place_6 - before_1), (_e96 - _e99), span);
+        vec4 _e101 = ramp_slope((_e87 - _e92), (place_5 - before_1), (_e96 - _e99), span);
         from_a_1 = _e101;
     }
     if (((after_1 + 1u) < 5u)) {
         float _e119 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e119 - (place_6 + span));
+        float next = (_e119 - (place_5 + span));
         vec4 _e123 = colors[after_1];
         uint _e124 = at;
         vec4 _e126 = colors[_e124];
@@ -301,36 +286,36 @@ vec4 output_(vec4 color_1) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
+    uvec3 v_4 = uvec3(0u);
+    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_4;
+    uvec3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_4;
     return _e61;
 }
 
@@ -374,19 +359,16 @@ float perlin_noise(vec3 p, uint seed_1) {
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    vec3 _e12 = bounded_vec3_(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 _e2 = bounded_vec2_(pixel);
-    vec2 from_middle = (_e2 - (0.5 * viewport));
+    vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
@@ -394,57 +376,42 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
     vec3 x_8 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 _e17 = bounded_vec2_(place);
-    vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    vec3 stretch_5 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    vec2 _e37 = bounded_vec2_(turned);
-    return StretchedPlace(_e37, stretch_5);
+    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 stretch_4 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    return StretchedPlace(turned, stretch_4);
 }
 
 SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count_3) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (11.0 / max(viewport_1.y, 1.0)) : 11.0);
-    vec2 _e17 = bounded_vec2_(place_1);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_2));
-    vec2 p_1 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    float scale_2 = (is_pixel ? (count_3 / max(viewport_1.y, 1.0)) : count_3);
+    vec2 p_1 = clamp((place_1 * scale_2), vec2(-4194304.0), vec2(4194304.0));
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-SpacedPlace spaced_2_(vec2 place_2, vec3 stretch_1, vec2 viewport_2, float count_4) {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (260.0 / max(viewport_2.y, 1.0)) : 260.0);
-    vec2 _e17 = bounded_vec2_(place_2);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_3));
-    vec2 p_2 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_2, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : stretch_1));
+float area_square(vec3 stretch_1) {
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
 }
 
-float area_square(vec3 stretch_2) {
-    float sum_1 = (stretch_2.x + stretch_2.z);
-    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum_1 * sum_1) / 66.0));
+MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
+    vec2 place_6 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace _e26 = mark_place_of(place_6, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e26.place, _e26.stretch);
 }
 
-MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_3) {
-    float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_3);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_7 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e28.place, _e28.stretch);
-}
-
-float paper_octave(vec2 place_3, int zoom, float w_2, float fiber, uint seed_2) {
-    float scale_4 = uintBitsToFloat((uint((zoom + 127)) << 23u));
-    vec2 p_3 = clamp((place_3 * scale_4), vec2(-4194304.0), vec2(4194304.0));
+float paper_octave(vec2 place_2, int zoom, float w_2, float fiber, uint seed_2) {
+    float scale_3 = uintBitsToFloat((uint((zoom + 127)) << 23u));
+    vec2 p_2 = clamp((place_2 * scale_3), vec2(-4194304.0), vec2(4194304.0));
     uint own = (seed_2 + (7u * uint(zoom)));
-    float _e23 = perlin_noise(vec3(p_3, 0.5), own);
+    float _e23 = perlin_noise(vec3(p_2, 0.5), own);
     float grain = (_e23 - 0.5);
-    vec2 q = clamp((2.7 * vec2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), vec2(-4194304.0), vec2(4194304.0));
+    vec2 q = clamp((2.7 * vec2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), vec2(-4194304.0), vec2(4194304.0));
     float _e52 = perlin_noise(vec3(q, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_3)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_3)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -470,24 +437,24 @@ float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3) {
     return _e53;
 }
 
-PaperGrain paper_grain(float value, vec2 place_4, vec3 stretch_3, float count_5, float tooth, float fiber_2, int seed_4, vec2 viewport_4) {
-    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_4, float tooth, float fiber_2, int seed_4, vec2 viewport_3) {
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_4);
     float _e10 = paper_height(_e8, fiber_2, 5u);
     return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
 }
 
-PaperGrain paper_grain_2_(float value_1, vec2 place_5, vec3 stretch_4, float count_6, float tooth_1, float fiber_3, int seed_5, vec2 viewport_5) {
-    SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+PaperGrain paper_grain_2_(float value_1, vec2 place_4, vec3 stretch_3, float count_5, float tooth_1, float fiber_3, int seed_5, vec2 viewport_4) {
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
     float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = (1.0 - clamp(value_1, 0.0, 1.0));
     return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.5) / 1.5), 0.0);
+    float light_and_shade = max(((dot(surface.normal, _e5) + 0.5) / 1.5), 0.0);
     vec2 _e18 = u_look.viewport;
-    MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    MarkPlace _e19 = mark_place_object(0.0, surface.anchor, surface.pixel, _e18);
     vec2 _e29 = u_look.viewport;
     PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, 5, _e29);
     float _e32 = bounded(_e30.height);
@@ -511,25 +478,21 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec2(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e13 = u_view.screen;
-    vec4 _e18 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e13.xy) + _e18.zw);
-    mat4x4 _e24 = u_view.camera_from_world;
-    vec4 _e28 = u_object.world_from_object[3];
-    float _e37 = u_view.eye.w;
-    float _e42 = u_view.clip_from_world[0][1];
-    float _e47 = u_view.clip_from_world[1][1];
-    float _e52 = u_view.clip_from_world[2][1];
-    vec3 _e55 = anchor_on_screen((_e24 * vec4(_e28.xyz, 1.0)).xyz, _e37, length(vec3(_e42, _e47, _e52)));
-    surface.anchor = _e55;
-    Surface _e56 = surface;
-    vec4 _e57 = shade(_e56);
-    vec4 _e58 = finite_vec4_(_e57);
-    out_color = _e58;
+    vec4 _e10 = u_view.screen;
+    vec4 _e15 = u_view.screen;
+    mat4x4 _e20 = u_view.camera_from_world;
+    vec4 _e24 = u_object.world_from_object[3];
+    float _e33 = u_view.eye.w;
+    float _e38 = u_view.clip_from_world[0][1];
+    float _e43 = u_view.clip_from_world[1][1];
+    float _e48 = u_view.clip_from_world[2][1];
+    vec3 _e51 = anchor_on_screen((_e20 * vec4(_e24.xyz, 1.0)).xyz, _e33, length(vec3(_e38, _e43, _e48)));
+    Surface surface_1 = Surface(normal, ((in_.clip.xy * _e10.xy) + _e15.zw), _e51);
+    vec4 _e53 = shade(surface_1);
+    vec4 _e54 = finite_vec4_(_e53);
+    out_color = _e54;
     return;
 }
 

@@ -117,6 +117,7 @@ Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
 }
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
+static const float MOST_ON_SCREEN = 1000000000000000.0;
 static const Ramp indigo_to_warm_paper = ConstructRamp(Constructarray16_float4_(float4(0.13, 0.14, 0.33, 1.0), float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0), float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx), 5u, 1u);
 
 cbuffer view : register(b0) { View view; }
@@ -170,31 +171,13 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float4 bounded_vec4_(float4 v_3)
 {
-    uint2 bits_2 = asuint(v_3);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
-}
-
-float3 bounded_vec3_(float3 v_4)
-{
-    uint3 bits_3 = asuint(v_4);
-    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
-}
-
-float4 bounded_vec4_(float4 v_5)
-{
-    uint4 bits_4 = asuint(v_5);
-    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
-    float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
+    uint4 bits_2 = asuint(v_3);
+    uint4 magnitude_1 = (bits_2 & (2147483647u).xxxx);
+    float4 largest_1 = asfloat(((bits_2 & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
+    return ((magnitude_1 < (2139095040u).xxxx) ? v_3 : numbers);
 }
 
 float divided(float a, float b)
@@ -326,9 +309,9 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_6 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
+    float place_5 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_6))) {
+    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_5))) {
         uint _e47 = at;
         float4 _e49 = colors[min(uint(_e47), 15u)];
         return _e49;
@@ -336,8 +319,8 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
     uint _e50 = at;
     uint after_1 = (_e50 + 1u);
     float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span = (_e59 - place_6);
-    const float _e62 = divided((x_7 - place_6), span);
+    float span = (_e59 - place_5);
+    const float _e62 = divided((x_7 - place_5), span);
     float t_1 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
@@ -351,12 +334,12 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
         float4 _e96 = colors[min(uint(after_1), 15u)];
         uint _e97 = at;
         float4 _e99 = colors[min(uint(_e97), 15u)];
-        const float4 _e101 = ramp_slope((_e87 - _e92), (place_6 - before_1), (_e96 - _e99), span);
+        const float4 _e101 = ramp_slope((_e87 - _e92), (place_5 - before_1), (_e96 - _e99), span);
         from_a_1 = _e101;
     }
     if (((after_1 + 1u) < 5u)) {
         float _e119 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e119 - (place_6 + span));
+        float next = (_e119 - (place_5 + span));
         float4 _e123 = colors[min(uint(after_1), 15u)];
         uint _e124 = at;
         float4 _e126 = colors[min(uint(_e124), 15u)];
@@ -397,37 +380,37 @@ float4 output(float4 color_1)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_6 = (uint3)0;
+    uint3 v_4 = (uint3)0;
 
-    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_6;
-    uint3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_6;
+    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_4;
+    uint3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -482,21 +465,18 @@ float perlin_noise(float3 p, uint seed_1)
 
 float size_on_screen(float depth, float perspective, float scale)
 {
-    const float _e10 = bounded(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 float3 anchor_on_screen(float3 origin, float perspective_1, float scale_1)
 {
     const float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    const float3 _e12 = bounded_vec3_(float3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(float3((origin.x * _e5), (-(origin.y) * _e5), _e5), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
 }
 
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    const float2 _e2 = bounded_vec2_(pixel);
-    float2 from_middle = (_e2 - (0.5 * viewport));
+    float2 from_middle = (pixel - (0.5 * viewport));
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
@@ -512,11 +492,9 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     float2 turn = float2(0.0, 1.0);
     float3 x_8 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
-    const float2 _e17 = bounded_vec2_(place);
-    float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    float3 stretch_5 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    const float2 _e37 = bounded_vec2_(turned);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_5);
+    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    float3 stretch_4 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch_4);
     return stretchedplace;
 }
 
@@ -530,29 +508,16 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_3)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (11.0 / max(viewport_1.y, 1.0)) : 11.0);
-    const float2 _e17 = bounded_vec2_(place_1);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_2));
-    float2 p_1 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    float scale_2 = (is_pixel ? (count_3 / max(viewport_1.y, 1.0)) : count_3);
+    float2 p_1 = clamp((place_1 * scale_2), (-4194304.0).xx, (4194304.0).xx);
     const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
 
-SpacedPlace spaced_2_(float2 place_2, float3 stretch_1, float2 viewport_2, float count_4)
+float area_square(float3 stretch_1)
 {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (260.0 / max(viewport_2.y, 1.0)) : 260.0);
-    const float2 _e17 = bounded_vec2_(place_2);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_3));
-    float2 p_2 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_2, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : stretch_1));
-    return spacedplace_1;
-}
-
-float area_square(float3 stretch_2)
-{
-    float sum_1 = (stretch_2.x + stretch_2.z);
-    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum_1 * sum_1) / 66.0));
+    float sum_1 = (stretch_1.x + stretch_1.z);
+    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -562,30 +527,28 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_3)
+MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
 {
-    const float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_3);
-    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_7 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    const float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    float2 place_6 = ((_e8 - float2(anchor.x, -(anchor.y))) / (size).xx);
+    const StretchedPlace _e26 = mark_place_of(place_6, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e26.place, _e26.stretch);
     return markplace;
 }
 
-float paper_octave(float2 place_3, int zoom, float w_2, float fiber, uint seed_2)
+float paper_octave(float2 place_2, int zoom, float w_2, float fiber, uint seed_2)
 {
-    float scale_4 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p_3 = clamp((place_3 * scale_4), (-4194304.0).xx, (4194304.0).xx);
+    float scale_3 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p_2 = clamp((place_2 * scale_3), (-4194304.0).xx, (4194304.0).xx);
     uint own = (seed_2 + (7u * asuint(zoom)));
-    const float _e23 = perlin_noise(float3(p_3, 0.5), own);
+    const float _e23 = perlin_noise(float3(p_2, 0.5), own);
     float grain = (_e23 - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), (-4194304.0).xx, (4194304.0).xx);
+    float2 q = clamp((2.7 * float2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), (-4194304.0).xx, (4194304.0).xx);
     const float _e52 = perlin_noise(float3(q, 0.5), (own + 1u));
     float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_3)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_3)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -624,29 +587,29 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value, float2 place_4, float3 stretch_3, float count_5, float tooth, float fiber_2, int seed_4, float2 viewport_4)
+PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_4, float tooth, float fiber_2, int seed_4, float2 viewport_3)
 {
-    const SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_4);
     const float _e10 = paper_height(_e8, fiber_2, 5u);
     const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
     return papergrain;
 }
 
-PaperGrain paper_grain_2_(float value_1, float2 place_5, float3 stretch_4, float count_6, float tooth_1, float fiber_3, int seed_5, float2 viewport_5)
+PaperGrain paper_grain_2_(float value_1, float2 place_4, float3 stretch_3, float count_5, float tooth_1, float fiber_3, int seed_5, float2 viewport_4)
 {
-    const SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+    const SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
     const float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = (1.0 - clamp(value_1, 0.0, 1.0));
     const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
     return papergrain_1;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.5) / 1.5), 0.0);
+    float light_and_shade = max(((dot(surface.normal, _e5) + 0.5) / 1.5), 0.0);
     float2 _e18 = look.viewport;
-    const MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    const MarkPlace _e19 = mark_place_object(0.0, surface.anchor, surface.pixel, _e18);
     float2 _e29 = look.viewport;
     const PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, int(5), _e29);
     const float _e32 = bounded(_e30.height);
@@ -667,44 +630,49 @@ float4 shade(Surface surface_1)
     return _e82;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.normal = arg1;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    float3x3 _e17 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e17);
-    Varyings _e20 = out_;
-    const Varyings varyings = _e20;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e14 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float2 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.pixel = arg1;
+    ret.anchor = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    float4 _e13 = view.screen;
-    float4 _e18 = view.screen;
-    surface.pixel = ((in_.clip_.xy * _e13.xy) + _e18.zw);
-    float4x4 _e24 = view.camera_from_world;
-    float4 _e28 = object.world_from_object[3];
-    float _e37 = view.eye.w;
-    float _e42 = view.clip_from_world[0].y;
-    float _e47 = view.clip_from_world[1].y;
-    float _e52 = view.clip_from_world[2].y;
-    const float3 _e55 = anchor_on_screen(mul(float4(_e28.xyz, 1.0), _e24).xyz, _e37, length(float3(_e42, _e47, _e52)));
-    surface.anchor = _e55;
-    Surface _e56 = surface;
-    const float4 _e57 = shade(_e56);
-    const float4 _e58 = finite_vec4_(_e57);
-    return _e58;
+    float4 _e10 = view.screen;
+    float4 _e15 = view.screen;
+    float4x4 _e20 = view.camera_from_world;
+    float4 _e24 = object.world_from_object[3];
+    float _e33 = view.eye.w;
+    float _e38 = view.clip_from_world[0].y;
+    float _e43 = view.clip_from_world[1].y;
+    float _e48 = view.clip_from_world[2].y;
+    const float3 _e51 = anchor_on_screen(mul(float4(_e24.xyz, 1.0), _e20).xyz, _e33, length(float3(_e38, _e43, _e48)));
+    Surface surface_1 = ConstructSurface(normal_2, ((in_.clip_.xy * _e10.xy) + _e15.zw), _e51);
+    const float4 _e53 = shade(surface_1);
+    const float4 _e54 = finite_vec4_(_e53);
+    return _e54;
 }

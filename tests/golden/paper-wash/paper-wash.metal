@@ -83,6 +83,7 @@ struct Varyings {
     metal::float3 normal;
 };
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
+constant float MOST_ON_SCREEN = 1000000000000000.0;
 constant Ramp indigo_to_warm_paper = Ramp {type_6 {{metal::float4(0.13, 0.14, 0.33, 1.0), metal::float4(0.24, 0.36, 0.56, 1.0), metal::float4(0.53, 0.66, 0.72, 1.0), metal::float4(0.9, 0.8, 0.68, 1.0), metal::float4(0.975, 0.95, 0.9, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.35, 0.62, 0.82), metal::float4(1.0, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
 
 metal::float4 finite_vec4_(
@@ -127,34 +128,14 @@ float bounded(
     return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float2 bounded_vec2_(
-    metal::float2 v_3
-) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
-}
-
-metal::float3 bounded_vec3_(
-    metal::float3 v_4
-) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_4);
-    metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint3(2139095040u));
-}
-
 metal::float4 bounded_vec4_(
-    metal::float4 v_5
+    metal::float4 v_3
 ) {
-    metal::uint4 bits_4 = as_type<metal::uint4>(v_5);
-    metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
-    metal::float4 largest_3 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_3, magnitude_3 == metal::uint4(2139095040u));
-    return metal::select(numbers_2, v_5, magnitude_3 < metal::uint4(2139095040u));
+    metal::uint4 bits_2 = as_type<metal::uint4>(v_3);
+    metal::uint4 magnitude_1 = bits_2 & metal::uint4(2147483647u);
+    metal::float4 largest_1 = as_type<metal::float4>((bits_2 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest_1, magnitude_1 == metal::uint4(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -312,9 +293,9 @@ Color ramp_at(
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_6 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
+    float place_5 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
     uint _e40 = at;
-    if (((_e40 + 1u) >= 5u) | (x_7 <= place_6)) {
+    if (((_e40 + 1u) >= 5u) | (x_7 <= place_5)) {
         uint _e47 = at;
         metal::float4 _e49 = colors.inner[_e47];
         return _e49;
@@ -322,8 +303,8 @@ Color ramp_at(
     uint _e50 = at;
     uint after_1 = _e50 + 1u;
     float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span = _e59 - place_6;
-    float _e62 = divided(x_7 - place_6, span);
+    float span = _e59 - place_5;
+    float _e62 = divided(x_7 - place_5, span);
     float t_1 = metal::clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if (_e69 > 0u) {
@@ -337,12 +318,12 @@ Color ramp_at(
         metal::float4 _e96 = colors.inner[after_1];
         uint _e97 = at;
         metal::float4 _e99 = colors.inner[_e97];
-        metal::float4 _e101 = ramp_slope(_e87 - _e92, place_6 - before_1, _e96 - _e99, span);
+        metal::float4 _e101 = ramp_slope(_e87 - _e92, place_5 - before_1, _e96 - _e99, span);
         from_a_1 = _e101;
     }
     if ((after_1 + 1u) < 5u) {
         float _e119 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e119 - (place_6 + span);
+        float next = _e119 - (place_5 + span);
         metal::float4 _e123 = colors.inner[after_1];
         uint _e124 = at;
         metal::float4 _e126 = colors.inner[_e124];
@@ -387,36 +368,36 @@ Color output(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
+    metal::uint3 v_4 = {};
+    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_4;
+    metal::uint3 _e32 = v_4;
+    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -477,8 +458,7 @@ float size_on_screen(
     float perspective,
     float scale
 ) {
-    float _e10 = bounded((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective));
-    return _e10;
+    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
 metal::float3 anchor_on_screen(
@@ -487,16 +467,14 @@ metal::float3 anchor_on_screen(
     float scale_1
 ) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    metal::float3 _e12 = bounded_vec3_(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5));
-    return _e12;
+    return metal::clamp(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 _e2 = bounded_vec2_(pixel);
-    metal::float2 from_middle = _e2 - (0.5 * viewport);
+    metal::float2 from_middle = pixel - (0.5 * viewport);
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
@@ -509,11 +487,9 @@ StretchedPlace mark_place_of(
     metal::float2 turn = metal::float2(0.0, 1.0);
     metal::float3 x_8 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
-    metal::float3 stretch_5 = metal::float3(metal::dot(x_8, x_8), metal::dot(x_8, y), metal::dot(y, y));
-    metal::float2 _e37 = bounded_vec2_(turned);
-    return StretchedPlace {_e37, {}, stretch_5};
+    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 stretch_4 = metal::float3(metal::dot(x_8, x_8), metal::dot(x_8, y), metal::dot(y, y));
+    return StretchedPlace {turned, {}, stretch_4};
 }
 
 SpacedPlace spaced(
@@ -523,66 +499,48 @@ SpacedPlace spaced(
     float count_3
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = is_pixel ? (11.0 / metal::max(viewport_1.y, 1.0)) : 11.0;
-    metal::float2 _e17 = bounded_vec2_(place_1);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_2);
-    metal::float2 p_1 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    float scale_2 = is_pixel ? (count_3 / metal::max(viewport_1.y, 1.0)) : count_3;
+    metal::float2 p_1 = metal::clamp(place_1 * scale_2, metal::float2(-4194304.0), metal::float2(4194304.0));
     return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
-SpacedPlace spaced_2_(
-    metal::float2 place_2,
-    metal::float3 stretch_1,
-    metal::float2 viewport_2,
-    float count_4
-) {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = is_pixel_1 ? (260.0 / metal::max(viewport_2.y, 1.0)) : 260.0;
-    metal::float2 _e17 = bounded_vec2_(place_2);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_3);
-    metal::float2 p_2 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
-    return SpacedPlace {p_2, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : stretch_1};
-}
-
 float area_square(
-    metal::float3 stretch_2
+    metal::float3 stretch_1
 ) {
-    float sum_1 = stretch_2.x + stretch_2.z;
-    return metal::max((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y), (sum_1 * sum_1) / 66.0);
+    float sum_1 = stretch_1.x + stretch_1.z;
+    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_1 * sum_1) / 66.0);
 }
 
 MarkPlace mark_place_object(
     float angle_1,
     metal::float3 anchor,
     metal::float2 pixel_1,
-    metal::float2 viewport_3
+    metal::float2 viewport_2
 ) {
-    float _e5 = bounded(anchor.z);
-    float size = metal::clamp(_e5, 0.000001, 1000000.0);
-    metal::float2 _e9 = place_in_picture(pixel_1, viewport_3);
-    metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_7 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
+    float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
+    metal::float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    metal::float2 place_6 = (_e8 - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
+    StretchedPlace _e26 = mark_place_of(place_6, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e26.place, {}, _e26.stretch};
 }
 
 float paper_octave(
-    metal::float2 place_3,
+    metal::float2 place_2,
     int zoom,
     float w_2,
     float fiber,
     uint seed_2
 ) {
-    float scale_4 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
-    metal::float2 p_3 = metal::clamp(place_3 * scale_4, metal::float2(-4194304.0), metal::float2(4194304.0));
+    float scale_3 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p_2 = metal::clamp(place_2 * scale_3, metal::float2(-4194304.0), metal::float2(4194304.0));
     uint own = seed_2 + (7u * as_type<uint>(zoom));
-    float _e23 = perlin_noise(metal::float3(p_3, 0.5), own);
+    float _e23 = perlin_noise(metal::float3(p_2, 0.5), own);
     float grain = _e23 - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_3.x) - (0.6 * p_3.y), (0.6 * p_3.x) + (0.8 * p_3.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_2.x) - (0.6 * p_2.y), (0.6 * p_2.x) + (0.8 * p_2.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
     float _e52 = perlin_noise(metal::float3(q, 0.5), own + 1u);
     float felt = _e52 - 0.5;
-    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * scale_4);
-    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_2) * scale_4);
+    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * scale_3);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_2) * scale_3);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
@@ -618,43 +576,43 @@ float paper_height(
 
 PaperGrain paper_grain(
     float value,
-    metal::float2 place_4,
-    metal::float3 stretch_3,
-    float count_5,
+    metal::float2 place_3,
+    metal::float3 stretch_2,
+    float count_4,
     float tooth,
     float fiber_2,
     int seed_4,
-    metal::float2 viewport_4
+    metal::float2 viewport_3
 ) {
-    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_4);
     float _e10 = paper_height(_e8, fiber_2, 5u);
     return PaperGrain {1.0 - metal::clamp(0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e10};
 }
 
 PaperGrain paper_grain_2_(
     float value_1,
-    metal::float2 place_5,
-    metal::float3 stretch_4,
-    float count_6,
+    metal::float2 place_4,
+    metal::float3 stretch_3,
+    float count_5,
     float tooth_1,
     float fiber_3,
     int seed_5,
-    metal::float2 viewport_5
+    metal::float2 viewport_4
 ) {
-    SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
     float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = 1.0 - metal::clamp(value_1, 0.0, 1.0);
     return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e10};
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float light_and_shade = metal::max((metal::dot(surface_1.normal, _e5) + 0.5) / 1.5, 0.0);
+    float light_and_shade = metal::max((metal::dot(surface.normal, _e5) + 0.5) / 1.5, 0.0);
     metal::float2 _e18 = look.viewport;
-    MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    MarkPlace _e19 = mark_place_object(0.0, surface.anchor, surface.pixel, _e18);
     metal::float2 _e29 = look.viewport;
     PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, 5, _e29);
     float _e32 = bounded(_e30.height);
@@ -689,15 +647,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    metal::float3x3 _e17 = object.world_from_normal;
-    out.normal = _e17 * vertex_.normal;
-    Varyings _e20 = out;
-    const auto _tmp = _e20;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e14 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -717,23 +671,19 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    metal::float4 _e13 = view.screen;
-    metal::float4 _e18 = view.screen;
-    surface.pixel = (in.clip.xy * _e13.xy) + _e18.zw;
-    metal::float4x4 _e24 = view.camera_from_world;
-    metal::float4 _e28 = object.world_from_object[3];
-    float _e37 = view.eye.w;
-    float _e42 = view.clip_from_world[0].y;
-    float _e47 = view.clip_from_world[1].y;
-    float _e52 = view.clip_from_world[2].y;
-    metal::float3 _e55 = anchor_on_screen((_e24 * metal::float4(_e28.xyz, 1.0)).xyz, _e37, metal::length(metal::float3(_e42, _e47, _e52)));
-    surface.anchor = _e55;
-    Surface _e56 = surface;
-    metal::float4 _e57 = shade(_e56, look);
-    metal::float4 _e58 = finite_vec4_(_e57);
-    return fs_mainOutput { _e58 };
+    metal::float4 _e10 = view.screen;
+    metal::float4 _e15 = view.screen;
+    metal::float4x4 _e20 = view.camera_from_world;
+    metal::float4 _e24 = object.world_from_object[3];
+    float _e33 = view.eye.w;
+    float _e38 = view.clip_from_world[0].y;
+    float _e43 = view.clip_from_world[1].y;
+    float _e48 = view.clip_from_world[2].y;
+    metal::float3 _e51 = anchor_on_screen((_e20 * metal::float4(_e24.xyz, 1.0)).xyz, _e33, metal::length(metal::float3(_e38, _e43, _e48)));
+    Surface surface_1 = Surface {normal, (in.clip.xy * _e10.xy) + _e15.zw, {}, _e51};
+    metal::float4 _e53 = shade(surface_1, look);
+    metal::float4 _e54 = finite_vec4_(_e53);
+    return fs_mainOutput { _e54 };
 }

@@ -113,24 +113,6 @@ fn bounded(x: f32) -> f32 {
 }
 
 /// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    let bits = bitcast<vec3u>(v);
-    let magnitude = bits & vec3u(0x7fffffffu);
-    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
-    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
-    return select(numbers, v, magnitude < vec3u(0x7f800000u));
-}
-
-/// [`bounded`], component by component.
 fn bounded_vec4(v: vec4f) -> vec4f {
     let bits = bitcast<vec4u>(v);
     let magnitude = bits & vec4u(0x7fffffffu);
@@ -314,8 +296,9 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
         }
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at)
-            + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
+        sum = sum + weight.x * weight.y * 0.5
+            * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
         continuing {
             i = i + 1;
         }
@@ -323,24 +306,27 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -359,10 +345,9 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
     let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -375,17 +360,8 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(11.0, 11.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
-}
-
-/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
-/// place without a stretch is one in pixels.
-fn spaced_2(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(260.0, 260.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -398,8 +374,8 @@ fn area_square(stretch: vec3f) -> f32 {
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -460,7 +436,7 @@ fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32,
 /// an object and does not swim through it.
 fn paper_grain_2(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height(spaced_2(place, stretch, viewport, count), fiber, 0u);
+    let height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
     let ink = 1.0 - clamp(value, 0.0, 1.0);
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);
@@ -478,17 +454,21 @@ const indigo_to_warm_paper = Ramp(array(vec4f(0.13, 0.14, 0.33, 1.0), vec4f(0.24
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.5) / 1.5, 0.0);
-    let paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    let where_water_stood = paper_grain(0.5, paper_that_goes_along.place, paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5i, look.viewport);
+    let paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel,
+        look.viewport);
+    let where_water_stood = paper_grain(0.5, paper_that_goes_along.place,
+        paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5i, look.viewport);
     let uneven_edge = mix(-0.2, 0.2, bounded(where_water_stood.height) - 0.0);
     let wet = light_and_shade + uneven_edge;
-    let washes = clamp(stairs_filtered(4.0 * clamp(wet, 0.0, 1.0), 4.0, length(vec2f(4.0 * footprint_of_2(wet), 0.22))) / 3.0, 0.0, 1.0);
+    let washes = clamp(stairs_filtered(4.0 * clamp(wet, 0.0, 1.0), 4.0,
+        length(vec2f(4.0 * footprint_of_2(wet), 0.22))) / 3.0, 0.0, 1.0);
     let pigment_in_them = mix(washes, wet, 0.35);
-    let tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0i, look.viewport);
-    let indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
+    let tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place,
+        paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0i, look.viewport);
+    let indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone),
+        footprint_of(tooth_of_the_paper.tone));
     let output_alpha = vec4f(indigo_to_warm_paper_2.xyz, clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
-    let output_2 = output(premultiplied(output_alpha));
-    return output_2;
+    return output(premultiplied(output_alpha));
 }
 
 struct Vertex {
@@ -504,20 +484,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, in.clip.xy * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))));
+    return finite_vec4(shade(surface));
 }

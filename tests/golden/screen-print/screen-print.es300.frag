@@ -50,7 +50,6 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const ProfileShape yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u);
 
@@ -83,11 +82,6 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -108,14 +102,6 @@ float bounded(float x_1) {
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-vec2 bounded_vec2_(vec2 v_2) {
-    uvec2 bits_1 = floatBitsToUint(v_2);
-    uvec2 magnitude_1 = (bits_1 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_1 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
 float place_between(float x_2, float low, float high) {
@@ -140,9 +126,9 @@ float footprint_of(float x_4) {
     return sqrt(dot(d_2, d_2));
 }
 
-vec2 footprint_of_vec2_(vec2 v_3) {
-    vec2 dx_1 = dFdx(v_3);
-    vec2 dy_1 = dFdy(v_3);
+vec2 footprint_of_vec2_(vec2 v_2) {
+    vec2 dx_1 = dFdx(v_2);
+    vec2 dy_1 = dFdy(v_2);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
@@ -152,17 +138,12 @@ float step_filtered(float x_5, float edge, float w) {
 }
 
 vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
-    return vec4(mix(a.xyz, (a.xyz * b.xyz), 1.0), 1.0);
-}
-
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return vec4(mix(a.xyz, (a.xyz * b.xyz), factor), 1.0);
 }
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1) {
@@ -192,10 +173,9 @@ vec2 turned_by(vec2 p, float angle_1) {
 
 vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
     vec2 most = vec2(4194304.0);
-    vec2 _e6 = bounded_vec2_(place);
-    vec2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_2);
-    return clamp(_e17, vec2(-4194304.0), most);
+    vec2 upright = (place * (lines / max(viewport.y, 1.0)));
+    vec2 _e14 = turned_by(clamp(upright, vec2(-4194304.0), most), angle_2);
+    return clamp(_e14, vec2(-4194304.0), most);
 }
 
 float lines_integral(float x_6, float share) {
@@ -239,9 +219,9 @@ float dot_radius(float share_2) {
         float square_1 = (1.0 / (_e32.y * _e32.y));
         float _e41 = a_1;
         float sector = (0.7853982 - _e41);
-        float slope_1 = (((2.0 * sector) * square_1) * tangent);
+        float slope = (((2.0 * sector) * square_1) * tangent);
         float _e48 = a_1;
-        a_1 = clamp((_e48 - ((slope_1 > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope_1) : 0.0)), 0.0, 0.7853982);
+        a_1 = clamp((_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope) : 0.0)), 0.0, 0.7853982);
     }
     float _e64 = a_1;
     vec2 _e65 = sin_cos_quarter(_e64);
@@ -326,61 +306,55 @@ float halftone_lines(float value_2, vec2 place_3, float lines_3, float angle_5, 
     return (1.0 - _e11);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.side.direction;
     vec3 _e14 = u_look.side.direction;
-    Angle side = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle side = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = mix(1.0, 0.25, (_e22 - 0.0));
     vec2 _e33 = u_look.viewport;
-    float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
+    float _e34 = halftone_lines(pale, surface.pixel, 56.0, 0.0, _e33);
     vec4 p1_ink = mix(vec4(0.9647, 0.8118, 0.2902, 1.0), vec4(1.0), _e34);
     vec4 _e49 = mix_colors_multiply(vec4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
     vec3 _e54 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e54) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e54) + 0.3) / 1.3), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.8), 1.0);
     float coral_s_share = mix(0.12, 1.0, clamp(((tone - 0.25) / 0.7), 0.0, 1.0));
     vec2 _e83 = u_look.viewport;
-    float _e84 = halftone_dots(coral_s_share, surface_1.pixel, 56.0, 0.2618, _e83);
+    float _e84 = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, _e83);
     vec4 p2_ink = mix(vec4(0.9333, 0.3529, 0.2902, 1.0), vec4(1.0), _e84);
     vec4 printed_over = vec4(mix(_e49.xyz, (_e49.xyz * p2_ink.xyz), 1.0), 1.0);
     float teal_s_share = mix(0.05, 1.0, min(((tone - 0.0) / 0.5), 1.0));
     vec2 _e115 = u_look.viewport;
-    float _e116 = halftone_dots_2_(teal_s_share, surface_1.pixel, 56.0, 1.309, _e115);
+    float _e116 = halftone_dots_2_(teal_s_share, surface.pixel, 56.0, 1.309, _e115);
     vec4 p3_ink = mix(vec4(0.1216, 0.5608, 0.5922, 1.0), vec4(1.0), _e116);
     vec4 printed_over_2_ = vec4(mix(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e146 = curvature_signed_balanced(curvature, 0.25);
-    float hollow = (0.5 + (0.5 * _e146));
-    float _e152 = footprint_of(hollow);
-    float _e156 = step_filtered(hollow, 0.22, length(vec2(_e152, 0.0)));
-    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e164 = footprint_of(facing);
-    float _e168 = step_filtered(facing, 0.28, length(vec2(_e164, 0.0)));
-    float black_screen = (_e156 * _e168);
+    float curvature = surface.kappa;
+    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
+    float _e153 = footprint_of(hollow);
+    float _e157 = step_filtered(hollow, 0.22, length(vec2(_e153, 0.0)));
+    float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
+    float _e165 = footprint_of(facing);
+    float _e169 = step_filtered(facing, 0.28, length(vec2(_e165, 0.0)));
+    float black_screen = (_e157 * _e169);
     vec4 p4_ink = mix(vec4(0.0902, 0.0745, 0.1216, 1.0), vec4(1.0), black_screen);
-    vec4 output_ = vec4(mix(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
-    return output_;
+    vec4 printed_over_3_ = vec4(mix(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
+    return printed_over_3_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0, vec2(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal = (is_front ? _e3 : -(_e3));
-    surface.normal = normal;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    vec4 _e29 = u_view.screen;
     vec4 _e34 = u_view.screen;
-    vec4 _e39 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e34.xy) + _e39.zw);
-    Surface _e42 = surface;
-    vec4 _e43 = shade(_e42);
-    out_color = _e43;
+    Surface surface_1 = Surface(normal, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x, ((in_.clip.xy * _e29.xy) + _e34.zw));
+    vec4 _e38 = shade(surface_1);
+    out_color = _e38;
     return;
 }
 

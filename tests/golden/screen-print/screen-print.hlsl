@@ -88,7 +88,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const ProfileShape yellow_s_share_shape = ConstructProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u);
 
@@ -132,12 +131,6 @@ float3 normalize_seen(float3 v_1)
     return _e5;
 }
 
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
@@ -171,15 +164,6 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_2)
-{
-    uint2 bits_1 = asuint(v_2);
-    uint2 magnitude_1 = (bits_1 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_1 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
-}
-
 float place_between(float x_2, float low, float high)
 {
     float span = (high - low);
@@ -205,10 +189,10 @@ float footprint_of(float x_4)
     return sqrt(dot(d_2, d_2));
 }
 
-float2 footprint_of_vec2_(float2 v_3)
+float2 footprint_of_vec2_(float2 v_2)
 {
-    float2 dx_1 = ddx(v_3);
-    float2 dy_1 = ddy(v_3);
+    float2 dx_1 = ddx(v_2);
+    float2 dy_1 = ddy(v_2);
     return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
@@ -220,19 +204,13 @@ float step_filtered(float x_5, float edge, float w)
 
 float4 mix_colors_multiply(float4 a, float4 b, float factor)
 {
-    return float4(lerp(a.xyz, (a.xyz * b.xyz), 1.0), 1.0);
-}
-
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
+    return float4(lerp(a.xyz, (a.xyz * b.xyz), factor), 1.0);
 }
 
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1)
@@ -266,10 +244,9 @@ float2 turned_by(float2 p, float angle_1)
 float2 screen_cells(float2 place, float2 viewport, float lines, float angle_2)
 {
     float2 most = (4194304.0).xx;
-    const float2 _e6 = bounded_vec2_(place);
-    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_2);
-    return clamp(_e17, (-4194304.0).xx, most);
+    float2 upright = (place * (lines / max(viewport.y, 1.0)));
+    const float2 _e14 = turned_by(clamp(upright, (-4194304.0).xx, most), angle_2);
+    return clamp(_e14, (-4194304.0).xx, most);
 }
 
 float lines_integral(float x_6, float share)
@@ -320,9 +297,9 @@ float dot_radius(float share_2)
         float square_1 = (1.0 / (_e32.y * _e32.y));
         float _e41 = a_1;
         float sector = (0.7853982 - _e41);
-        float slope_1 = (((2.0 * sector) * square_1) * tangent);
+        float slope = (((2.0 * sector) * square_1) * tangent);
         float _e48 = a_1;
-        a_1 = clamp((_e48 - ((slope_1 > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope_1) : 0.0)), 0.0, 0.7853982);
+        a_1 = clamp((_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope) : 0.0)), 0.0, 0.7853982);
     }
     float _e64 = a_1;
     const float2 _e65 = sin_cos_quarter(_e64);
@@ -416,59 +393,69 @@ float halftone_lines(float value_2, float2 place_3, float lines_3, float angle_5
     return (1.0 - _e11);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.side.direction;
     float3 _e14 = look.side.direction;
-    Angle side = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle side = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = lerp(1.0, 0.25, (_e22 - 0.0));
     float2 _e33 = look.viewport;
-    const float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
+    const float _e34 = halftone_lines(pale, surface.pixel, 56.0, 0.0, _e33);
     float4 p1_ink = lerp(float4(0.9647, 0.8118, 0.2902, 1.0), (1.0).xxxx, _e34);
     const float4 _e49 = mix_colors_multiply(float4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
     float3 _e54 = look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e54) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e54) + 0.3) / 1.3), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.8), 1.0);
     float coral_s_share = lerp(0.12, 1.0, clamp(((tone - 0.25) / 0.7), 0.0, 1.0));
     float2 _e83 = look.viewport;
-    const float _e84 = halftone_dots(coral_s_share, surface_1.pixel, 56.0, 0.2618, _e83);
+    const float _e84 = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, _e83);
     float4 p2_ink = lerp(float4(0.9333, 0.3529, 0.2902, 1.0), (1.0).xxxx, _e84);
     float4 printed_over = float4(lerp(_e49.xyz, (_e49.xyz * p2_ink.xyz), 1.0), 1.0);
     float teal_s_share = lerp(0.05, 1.0, min(((tone - 0.0) / 0.5), 1.0));
     float2 _e115 = look.viewport;
-    const float _e116 = halftone_dots_2_(teal_s_share, surface_1.pixel, 56.0, 1.309, _e115);
+    const float _e116 = halftone_dots_2_(teal_s_share, surface.pixel, 56.0, 1.309, _e115);
     float4 p3_ink = lerp(float4(0.1216, 0.5608, 0.5922, 1.0), (1.0).xxxx, _e116);
     float4 printed_over_2_ = float4(lerp(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e146 = curvature_signed_balanced(curvature, 0.25);
-    float hollow = (0.5 + (0.5 * _e146));
-    const float _e152 = footprint_of(hollow);
-    const float _e156 = step_filtered(hollow, 0.22, length(float2(_e152, 0.0)));
-    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    const float _e164 = footprint_of(facing);
-    const float _e168 = step_filtered(facing, 0.28, length(float2(_e164, 0.0)));
-    float black_screen = (_e156 * _e168);
+    float curvature = surface.kappa;
+    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
+    const float _e153 = footprint_of(hollow);
+    const float _e157 = step_filtered(hollow, 0.22, length(float2(_e153, 0.0)));
+    float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
+    const float _e165 = footprint_of(facing);
+    const float _e169 = step_filtered(facing, 0.28, length(float2(_e165, 0.0)));
+    float black_screen = (_e157 * _e169);
     float4 p4_ink = lerp(float4(0.0902, 0.0745, 0.1216, 1.0), (1.0).xxxx, black_screen);
-    float4 output = float4(lerp(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
-    return output;
+    float4 printed_over_3_ = float4(lerp(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
+    return printed_over_3_;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2, float2 arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    ret.pixel = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -479,20 +466,14 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    float4 _e11 = view.eye;
-    float _e16 = view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
+    float4 _e8 = view.eye;
+    float _e13 = view.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 _e29 = view.screen;
     float4 _e34 = view.screen;
-    float4 _e39 = view.screen;
-    surface.pixel = ((in_.clip_.xy * _e34.xy) + _e39.zw);
-    Surface _e42 = surface;
-    const float4 _e43 = shade(_e42);
-    return _e43;
+    Surface surface_1 = ConstructSurface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x, ((in_.clip_.xy * _e29.xy) + _e34.zw));
+    const float4 _e38 = shade(surface_1);
+    return _e38;
 }

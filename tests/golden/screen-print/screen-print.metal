@@ -66,7 +66,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape yellow_s_share_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u};
 
@@ -96,13 +95,6 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
-}
-
 float angle_footprint(
     Angle u
 ) {
@@ -130,16 +122,6 @@ float bounded(
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
     return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
-}
-
-metal::float2 bounded_vec2_(
-    metal::float2 v_2
-) {
-    metal::uint2 bits_1 = as_type<metal::uint2>(v_2);
-    metal::uint2 magnitude_1 = bits_1 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_1 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float place_between(
@@ -175,10 +157,10 @@ float footprint_of(
 }
 
 metal::float2 footprint_of_vec2_(
-    metal::float2 v_3
+    metal::float2 v_2
 ) {
-    metal::float2 dx_1 = metal::dfdx(v_3);
-    metal::float2 dy_1 = metal::dfdy(v_3);
+    metal::float2 dx_1 = metal::dfdx(v_2);
+    metal::float2 dy_1 = metal::dfdy(v_2);
     return metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1));
 }
 
@@ -196,14 +178,7 @@ Color mix_colors_multiply(
     Color b,
     float factor
 ) {
-    return metal::float4(metal::mix(a.xyz, a.xyz * b.xyz, 1.0), 1.0);
-}
-
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
+    return metal::float4(metal::mix(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 float profile_soft_quick(
@@ -211,8 +186,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_filtered_quick(
@@ -258,10 +232,9 @@ metal::float2 screen_cells(
     float angle_2
 ) {
     metal::float2 most = metal::float2(4194304.0);
-    metal::float2 _e6 = bounded_vec2_(place);
-    metal::float2 _e13 = bounded_vec2_(_e6 * (56.0 / metal::max(viewport.y, 1.0)));
-    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_2);
-    return metal::clamp(_e17, metal::float2(-4194304.0), most);
+    metal::float2 upright = place * (lines / metal::max(viewport.y, 1.0));
+    metal::float2 _e14 = turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle_2);
+    return metal::clamp(_e14, metal::float2(-4194304.0), most);
 }
 
 float lines_integral(
@@ -317,9 +290,9 @@ float dot_radius(
         float square_1 = 1.0 / (_e32.y * _e32.y);
         float _e41 = a_1;
         float sector = 0.7853982 - _e41;
-        float slope_1 = ((2.0 * sector) * square_1) * tangent;
+        float slope = ((2.0 * sector) * square_1) * tangent;
         float _e48 = a_1;
-        a_1 = metal::clamp(_e48 - ((slope_1 > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope_1) : 0.0), 0.0, 0.7853982);
+        a_1 = metal::clamp(_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope) : 0.0), 0.0, 0.7853982);
     }
     float _e64 = a_1;
     metal::float2 _e65 = sin_cos_quarter(_e64);
@@ -439,43 +412,42 @@ float halftone_lines(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.side.direction;
     metal::float3 _e14 = look.side.direction;
-    Angle side = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle side = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
     float pale = metal::mix(1.0, 0.25, _e22 - 0.0);
     metal::float2 _e33 = look.viewport;
-    float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
+    float _e34 = halftone_lines(pale, surface.pixel, 56.0, 0.0, _e33);
     metal::float4 p1_ink = metal::mix(metal::float4(0.9647, 0.8118, 0.2902, 1.0), metal::float4(1.0), _e34);
     Color _e49 = mix_colors_multiply(metal::float4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
     metal::float3 _e54 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface_1.normal, _e54) + 0.3) / 1.3, 0.0);
+    float shade_2_ = metal::max((metal::dot(surface.normal, _e54) + 0.3) / 1.3, 0.0);
     float tone = metal::min((shade_2_ - 0.0) / 0.8, 1.0);
     float coral_s_share = metal::mix(0.12, 1.0, metal::clamp((tone - 0.25) / 0.7, 0.0, 1.0));
     metal::float2 _e83 = look.viewport;
-    float _e84 = halftone_dots(coral_s_share, surface_1.pixel, 56.0, 0.2618, _e83);
+    float _e84 = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, _e83);
     metal::float4 p2_ink = metal::mix(metal::float4(0.9333, 0.3529, 0.2902, 1.0), metal::float4(1.0), _e84);
     metal::float4 printed_over = metal::float4(metal::mix(_e49.xyz, _e49.xyz * p2_ink.xyz, 1.0), 1.0);
     float teal_s_share = metal::mix(0.05, 1.0, metal::min((tone - 0.0) / 0.5, 1.0));
     metal::float2 _e115 = look.viewport;
-    float _e116 = halftone_dots_2_(teal_s_share, surface_1.pixel, 56.0, 1.309, _e115);
+    float _e116 = halftone_dots_2_(teal_s_share, surface.pixel, 56.0, 1.309, _e115);
     metal::float4 p3_ink = metal::mix(metal::float4(0.1216, 0.5608, 0.5922, 1.0), metal::float4(1.0), _e116);
     metal::float4 printed_over_2_ = metal::float4(metal::mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
-    float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e146 = curvature_signed_balanced(curvature, 0.25);
-    float hollow = 0.5 + (0.5 * _e146);
-    float _e152 = footprint_of(hollow);
-    float _e156 = step_filtered(hollow, 0.22, metal::length(metal::float2(_e152, 0.0)));
-    float facing = metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e164 = footprint_of(facing);
-    float _e168 = step_filtered(facing, 0.28, metal::length(metal::float2(_e164, 0.0)));
-    float black_screen = _e156 * _e168;
+    float curvature = surface.kappa;
+    float hollow = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.25, -20.0, 20.0))))));
+    float _e153 = footprint_of(hollow);
+    float _e157 = step_filtered(hollow, 0.22, metal::length(metal::float2(_e153, 0.0)));
+    float facing = metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0);
+    float _e165 = footprint_of(facing);
+    float _e169 = step_filtered(facing, 0.28, metal::length(metal::float2(_e165, 0.0)));
+    float black_screen = _e157 * _e169;
     metal::float4 p4_ink = metal::mix(metal::float4(0.0902, 0.0745, 0.1216, 1.0), metal::float4(1.0), black_screen);
-    metal::float4 output = metal::float4(metal::mix(printed_over_2_.xyz, printed_over_2_.xyz * p4_ink.xyz, 1.0), 1.0);
-    return output;
+    metal::float4 printed_over_3_ = metal::float4(metal::mix(printed_over_2_.xyz, printed_over_2_.xyz * p4_ink.xyz, 1.0), 1.0);
+    return printed_over_3_;
 }
 
 struct vs_mainInput {
@@ -493,16 +465,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -527,19 +494,14 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal = is_front ? _e3 : -(_e3);
-    surface.normal = normal;
-    metal::float4 _e11 = view.eye;
-    float _e16 = view.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
+    metal::float4 _e8 = view.eye;
+    float _e13 = view.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 _e29 = view.screen;
     metal::float4 _e34 = view.screen;
-    metal::float4 _e39 = view.screen;
-    surface.pixel = (in.clip.xy * _e34.xy) + _e39.zw;
-    Surface _e42 = surface;
-    metal::float4 _e43 = shade(_e42, look);
-    return fs_mainOutput { _e43 };
+    Surface surface_1 = Surface {normal, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x, (in.clip.xy * _e29.xy) + _e34.zw};
+    metal::float4 _e38 = shade(surface_1, look);
+    return fs_mainOutput { _e38 };
 }

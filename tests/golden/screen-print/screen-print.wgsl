@@ -65,7 +65,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
@@ -97,14 +96,6 @@ fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -131,15 +122,6 @@ fn bounded(x: f32) -> f32 {
     let magnitude = bits & 0x7fffffffu;
     let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
@@ -179,13 +161,7 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
 }
 
 fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
-    return vec4f(mix(a.xyz, a.xyz * b.xyz, 1.0), 1.0);
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
+    return vec4f(mix(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -210,8 +186,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -245,7 +220,7 @@ fn turned_by(p: vec2f, angle: f32) -> vec2f {
 /// and is turned by an angle in radians.
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (56.0 / max(viewport.y, 1.0)));
+    let upright = place * (lines / max(viewport.y, 1.0));
     return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
         most);
 }
@@ -386,7 +361,8 @@ const yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.73
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let side = Angle(0.5 * length(surface.normal - look.side.direction), 0.5 * length(surface.normal + look.side.direction));
+    let side = Angle(0.5 * length(surface.normal - look.side.direction), 0.5
+        * length(surface.normal + look.side.direction));
     let yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
     let pale = mix(1.0, 0.25, yellow_s_share - 0.0);
     let yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, look.viewport);
@@ -402,16 +378,16 @@ fn shade(surface: Surface) -> vec4f {
     let teal_screen = halftone_dots_2(teal_s_share, surface.pixel, 56.0, 1.309, look.viewport);
     let p3_ink = mix(vec4f(0.1216, 0.5608, 0.5922, 1.0), vec4f(1.0), teal_screen);
     let printed_over_2 = vec4f(mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.25);
+    let curvature = surface.kappa;
+    let hollow = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.25, -20.0, 20.0))));
     let hollows = step_filtered(hollow, 0.22, length(vec2f(footprint_of(hollow), 0.0)));
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let outline = step_filtered(facing, 0.28, length(vec2f(footprint_of(facing), 0.0)));
     let black_screen = hollows * outline;
     let p4_ink = mix(vec4f(0.0902, 0.0745, 0.1216, 1.0), vec4f(1.0), black_screen);
     let printed_over_3 = vec4f(mix(printed_over_2.xyz, printed_over_2.xyz * p4_ink.xyz, 1.0), 1.0);
-    let output = printed_over_3;
-    return output;
+    return printed_over_3;
 }
 
 struct Vertex {
@@ -428,22 +404,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x, in.clip.xy * view.screen.xy
+        + view.screen.zw);
+    return shade(surface);
 }

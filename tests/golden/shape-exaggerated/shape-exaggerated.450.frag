@@ -62,40 +62,27 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
-}
-
-vec3 normalize_or(vec3 v, vec3 otherwise) {
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return otherwise;
-    }
-    vec3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float exp2_stable(float x_1) {
-    float whole = roundEven(x_1);
-    float f = (x_1 - whole);
+float exp2_stable(float x) {
+    float whole = roundEven(x);
+    float f = (x - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * 0.5);
+}
+
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
 vec3 normalize_seen_balanced(vec3 v_1) {
     return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float bounded(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float bounded(float x_1) {
+    uint bits = floatBitsToUint(x_1);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -106,9 +93,9 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -147,7 +134,7 @@ vec3 srgb_of_oklab(vec3 lab_1) {
     return vec3(_e3, _e5, _e7);
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4) {
+RampPlace ramp_place(Ramp ramp, float x_3) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -170,7 +157,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_3) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 4u);
@@ -178,7 +165,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
     uint _e39 = at;
     float place = places[(_e35 / 4u)][(_e39 % 4u)];
     float _e51 = places[(after / 4u)][(after % 4u)];
-    float _e53 = divided((x_4 - place), (_e51 - place));
+    float _e53 = divided((x_3 - place), (_e51 - place));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     vec4 _e59 = colors[_e57];
@@ -202,63 +189,56 @@ float detail_lit(vec3 finer, vec3 coarser, vec3 light_1, float contrast) {
 
 float exaggerated_four(Light light_2, vec3 normal, float contrast_1, float detail, vec3 smooth_1_, vec3 smooth_2_, vec3 smooth_3_, vec3 smooth_4_) {
     float _e9 = exp2_stable(-(detail));
-    vec3 _e10 = normalize_or(smooth_1_, normal);
-    vec3 _e11 = normalize_or(smooth_2_, _e10);
-    vec3 _e12 = normalize_or(smooth_3_, _e11);
-    vec3 _e13 = normalize_or(smooth_4_, _e12);
-    float _e16 = detail_lit(_e11, _e12, light_2.direction, 7.0);
-    float _e19 = detail_lit(_e12, _e13, light_2.direction, 7.0);
-    float coarse = (_e16 + (_e9 * (_e19 + (_e9 * dot(_e13, light_2.direction)))));
-    float _e28 = detail_lit(normal, _e10, light_2.direction, 7.0);
-    float _e31 = detail_lit(_e10, _e11, light_2.direction, 7.0);
-    float sum = (_e28 + (_e9 * (_e31 + (_e9 * coarse))));
+    vec3 _e10 = normalize_moderate(smooth_1_, normal);
+    vec3 _e11 = normalize_moderate(smooth_2_, _e10);
+    vec3 _e12 = normalize_moderate(smooth_3_, _e11);
+    vec3 _e13 = normalize_moderate(smooth_4_, _e12);
+    float _e15 = detail_lit(_e11, _e12, light_2.direction, contrast_1);
+    float _e17 = detail_lit(_e12, _e13, light_2.direction, contrast_1);
+    float coarse = (_e15 + (_e9 * (_e17 + (_e9 * dot(_e13, light_2.direction)))));
+    float _e25 = detail_lit(normal, _e10, light_2.direction, contrast_1);
+    float _e27 = detail_lit(_e10, _e11, light_2.direction, contrast_1);
+    float sum = (_e25 + (_e9 * (_e27 + (_e9 * coarse))));
     return clamp((0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9))))))))), 0.0, 1.0);
 }
 
 float outer_contour(float width, vec3 normal_1, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal_1, view), 0.0, 1.0);
-    float pixels = ((3.0 * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
-    float _e11 = exaggerated_four(_e3, surface_1.normal, 7.0, 0.1, surface_1.smooth_normal_1_, surface_1.smooth_normal_2_, surface_1.smooth_normal_3_, surface_1.smooth_normal_4_);
+    float _e11 = exaggerated_four(_e3, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
     vec4 _e13 = ramp_oklab(_e11, from_dusk_to_sun);
     vec2 _e19 = u_look.viewport;
-    float _e20 = outer_contour(3.0, surface_1.normal, surface_1.view, _e19);
-    vec4 output_ = mix(_e13, vec4(0.098, 0.1059, 0.2, 1.0), _e20);
-    return output_;
+    float _e20 = outer_contour(3.0, surface.normal, surface.view, _e19);
+    vec4 inked = mix(_e13, vec4(0.098, 0.1059, 0.2, 1.0), _e20);
+    return inked;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_2;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e33 = u_view.camera_from_world;
-    surface.smooth_normal_1_ = (vec4(_e27.xyz, 0.0) * _e33).xyz;
-    vec4 _e42 = texelFetch(u_smooth_normal_2_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e48 = u_view.camera_from_world;
-    surface.smooth_normal_2_ = (vec4(_e42.xyz, 0.0) * _e48).xyz;
-    vec4 _e57 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e63 = u_view.camera_from_world;
-    surface.smooth_normal_3_ = (vec4(_e57.xyz, 0.0) * _e63).xyz;
-    vec4 _e72 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e78 = u_view.camera_from_world;
-    surface.smooth_normal_4_ = (vec4(_e72.xyz, 0.0) * _e78).xyz;
-    Surface _e81 = surface;
-    vec4 _e82 = shade(_e81);
-    out_color = _e82;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e29 = u_view.camera_from_world;
+    vec4 _e37 = texelFetch(u_smooth_normal_2_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e43 = u_view.camera_from_world;
+    vec4 _e51 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e57 = u_view.camera_from_world;
+    vec4 _e65 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e71 = u_view.camera_from_world;
+    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), (vec4(_e23.xyz, 0.0) * _e29).xyz, (vec4(_e37.xyz, 0.0) * _e43).xyz, (vec4(_e51.xyz, 0.0) * _e57).xyz, (vec4(_e65.xyz, 0.0) * _e71).xyz);
+    vec4 _e75 = shade(surface_1);
+    out_color = _e75;
     return;
 }
 

@@ -125,32 +125,18 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float exp2_stable(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float3 normalize_or(float3 v, float3 otherwise)
-{
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return otherwise;
-    }
-    float3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float exp2_stable(float x_1)
-{
-    float whole = round(x_1);
-    float f = (x_1 - whole);
+    float whole = round(x);
+    float f = (x - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * 0.5);
+}
+
+float3 normalize_moderate(float3 v, float3 otherwise)
+{
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
 float3 normalize_seen_balanced(float3 v_1)
@@ -158,12 +144,12 @@ float3 normalize_seen_balanced(float3 v_1)
     return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
 }
 
-float bounded(float x_2)
+float bounded(float x_1)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_1);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b)
@@ -175,10 +161,10 @@ float divided(float a, float b)
     return _e7;
 }
 
-float footprint_of(float x_3)
+float footprint_of(float x_2)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -238,7 +224,7 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4)
+RampPlace ramp_place(Ramp ramp, float x_3)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -266,7 +252,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[min(uint(naga_div(_e16, 4u)), 3u)][min(uint(naga_mod(_e20, 4u)), 3u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_3) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 4u);
@@ -274,7 +260,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
     uint _e39 = at;
     float place = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
     float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e53 = divided((x_4 - place), (_e51 - place));
+    const float _e53 = divided((x_3 - place), (_e51 - place));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     float4 _e59 = colors[min(uint(_e57), 15u)];
@@ -302,55 +288,68 @@ float detail_lit(float3 finer, float3 coarser, float3 light_1, float contrast)
 float exaggerated_four(Light light_2, float3 normal, float contrast_1, float detail, float3 smooth_1_, float3 smooth_2_, float3 smooth_3_, float3 smooth_4_)
 {
     const float _e9 = exp2_stable(-(detail));
-    const float3 _e10 = normalize_or(smooth_1_, normal);
-    const float3 _e11 = normalize_or(smooth_2_, _e10);
-    const float3 _e12 = normalize_or(smooth_3_, _e11);
-    const float3 _e13 = normalize_or(smooth_4_, _e12);
-    const float _e16 = detail_lit(_e11, _e12, light_2.direction, 7.0);
-    const float _e19 = detail_lit(_e12, _e13, light_2.direction, 7.0);
-    float coarse = (_e16 + (_e9 * (_e19 + (_e9 * dot(_e13, light_2.direction)))));
-    const float _e28 = detail_lit(normal, _e10, light_2.direction, 7.0);
-    const float _e31 = detail_lit(_e10, _e11, light_2.direction, 7.0);
-    float sum = (_e28 + (_e9 * (_e31 + (_e9 * coarse))));
+    const float3 _e10 = normalize_moderate(smooth_1_, normal);
+    const float3 _e11 = normalize_moderate(smooth_2_, _e10);
+    const float3 _e12 = normalize_moderate(smooth_3_, _e11);
+    const float3 _e13 = normalize_moderate(smooth_4_, _e12);
+    const float _e15 = detail_lit(_e11, _e12, light_2.direction, contrast_1);
+    const float _e17 = detail_lit(_e12, _e13, light_2.direction, contrast_1);
+    float coarse = (_e15 + (_e9 * (_e17 + (_e9 * dot(_e13, light_2.direction)))));
+    const float _e25 = detail_lit(normal, _e10, light_2.direction, contrast_1);
+    const float _e27 = detail_lit(_e10, _e11, light_2.direction, contrast_1);
+    float sum = (_e25 + (_e9 * (_e27 + (_e9 * coarse))));
     return clamp((0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9))))))))), 0.0, 1.0);
 }
 
 float outer_contour(float width, float3 normal_1, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal_1, view), 0.0, 1.0);
-    float pixels = ((3.0 * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    const float _e16 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e16), 1e-6));
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
-    const float _e11 = exaggerated_four(_e3, surface_1.normal, 7.0, 0.1, surface_1.smooth_normal_1_, surface_1.smooth_normal_2_, surface_1.smooth_normal_3_, surface_1.smooth_normal_4_);
+    const float _e11 = exaggerated_four(_e3, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
     const float4 _e13 = ramp_oklab(_e11, from_dusk_to_sun);
     float2 _e19 = look.viewport;
-    const float _e20 = outer_contour(3.0, surface_1.normal, surface_1.view, _e19);
-    float4 output = lerp(_e13, float4(0.098, 0.1059, 0.2, 1.0), _e20);
-    return output;
+    const float _e20 = outer_contour(3.0, surface.normal, surface.view, _e19);
+    float4 inked = lerp(_e13, float4(0.098, 0.1059, 0.2, 1.0), _e20);
+    return inked;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4, float3 arg5) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.smooth_normal_1_ = arg2;
+    ret.smooth_normal_2_ = arg3;
+    ret.smooth_normal_3_ = arg4;
+    ret.smooth_normal_4_ = arg5;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -361,27 +360,19 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = smooth_normal_1_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e33 = view_1.camera_from_world;
-    surface.smooth_normal_1_ = mul(_e33, float4(_e27.xyz, 0.0)).xyz;
-    float4 _e42 = smooth_normal_2_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e48 = view_1.camera_from_world;
-    surface.smooth_normal_2_ = mul(_e48, float4(_e42.xyz, 0.0)).xyz;
-    float4 _e57 = smooth_normal_3_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e63 = view_1.camera_from_world;
-    surface.smooth_normal_3_ = mul(_e63, float4(_e57.xyz, 0.0)).xyz;
-    float4 _e72 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e78 = view_1.camera_from_world;
-    surface.smooth_normal_4_ = mul(_e78, float4(_e72.xyz, 0.0)).xyz;
-    Surface _e81 = surface;
-    const float4 _e82 = shade(_e81);
-    return _e82;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = smooth_normal_1_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e29 = view_1.camera_from_world;
+    float4 _e37 = smooth_normal_2_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e43 = view_1.camera_from_world;
+    float4 _e51 = smooth_normal_3_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e57 = view_1.camera_from_world;
+    float4 _e65 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e71 = view_1.camera_from_world;
+    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), mul(_e29, float4(_e23.xyz, 0.0)).xyz, mul(_e43, float4(_e37.xyz, 0.0)).xyz, mul(_e57, float4(_e51.xyz, 0.0)).xyz, mul(_e71, float4(_e65.xyz, 0.0)).xyz);
+    const float4 _e75 = shade(surface_1);
+    return _e75;
 }

@@ -73,36 +73,21 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp from_dusk_to_sun = Ramp {type_7 {{metal::float4(0.1373, 0.1647, 0.302, 1.0), metal::float4(0.4196, 0.3725, 0.5255, 1.0), metal::float4(0.7882, 0.5804, 0.4353, 1.0), metal::float4(0.9412, 0.8039, 0.5725, 1.0), metal::float4(1.0, 0.9843, 0.902, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.05, 0.35, 0.55, 0.75), metal::float4(0.98, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 0u};
 
-bool is_finite(
+float exp2_stable(
     float x
 ) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
+    float whole = metal::rint(x);
+    float f = x - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * 0.5;
 }
 
-metal::float3 normalize_or(
+metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
 ) {
-    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
-        return otherwise;
-    }
-    metal::float3 scaled = v * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float exp2_stable(
-    float x_1
-) {
-    float whole = metal::rint(x_1);
-    float f = x_1 - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * 0.5;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
 metal::float3 normalize_seen_balanced(
@@ -112,12 +97,12 @@ metal::float3 normalize_seen_balanced(
 }
 
 float bounded(
-    float x_2
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_1);
     uint magnitude = bits & 2147483647u;
-    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 float divided(
@@ -132,10 +117,10 @@ float divided(
 }
 
 float footprint_of(
-    float x_3
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -194,7 +179,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 RampPlace ramp_place(
     Ramp ramp,
-    float x_4
+    float x_3
 ) {
     type_7 colors = {};
     type_8 places = {};
@@ -221,7 +206,7 @@ RampPlace ramp_place(
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_4) ? _e15 : _e14;
+        at = (_e24 <= x_3) ? _e15 : _e14;
     }
     uint _e30 = at;
     uint after = metal::min(_e30 + 1u, 4u);
@@ -229,7 +214,7 @@ RampPlace ramp_place(
     uint _e39 = at;
     float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
     float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_4 - place, _e51 - place);
+    float _e53 = divided(x_3 - place, _e51 - place);
     float t = metal::clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     metal::float4 _e59 = colors.inner[_e57];
@@ -270,16 +255,16 @@ float exaggerated_four(
     metal::float3 smooth_4_
 ) {
     float _e9 = exp2_stable(-(detail));
-    metal::float3 _e10 = normalize_or(smooth_1_, normal);
-    metal::float3 _e11 = normalize_or(smooth_2_, _e10);
-    metal::float3 _e12 = normalize_or(smooth_3_, _e11);
-    metal::float3 _e13 = normalize_or(smooth_4_, _e12);
-    float _e16 = detail_lit(_e11, _e12, light_2.direction, 7.0);
-    float _e19 = detail_lit(_e12, _e13, light_2.direction, 7.0);
-    float coarse = _e16 + (_e9 * (_e19 + (_e9 * metal::dot(_e13, light_2.direction))));
-    float _e28 = detail_lit(normal, _e10, light_2.direction, 7.0);
-    float _e31 = detail_lit(_e10, _e11, light_2.direction, 7.0);
-    float sum = _e28 + (_e9 * (_e31 + (_e9 * coarse)));
+    metal::float3 _e10 = normalize_moderate(smooth_1_, normal);
+    metal::float3 _e11 = normalize_moderate(smooth_2_, _e10);
+    metal::float3 _e12 = normalize_moderate(smooth_3_, _e11);
+    metal::float3 _e13 = normalize_moderate(smooth_4_, _e12);
+    float _e15 = detail_lit(_e11, _e12, light_2.direction, contrast_1);
+    float _e17 = detail_lit(_e12, _e13, light_2.direction, contrast_1);
+    float coarse = _e15 + (_e9 * (_e17 + (_e9 * metal::dot(_e13, light_2.direction))));
+    float _e25 = detail_lit(normal, _e10, light_2.direction, contrast_1);
+    float _e27 = detail_lit(_e10, _e11, light_2.direction, contrast_1);
+    float sum = _e25 + (_e9 * (_e27 + (_e9 * coarse)));
     return metal::clamp(0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9)))))))), 0.0, 1.0);
 }
 
@@ -290,24 +275,24 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal_1, view), 0.0, 1.0);
-    float pixels = (3.0 * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
-    float _e16 = footprint_of(facing);
-    float distance = facing / metal::max(2.0 * _e16, 0.000001);
+    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float _e15 = footprint_of(facing);
+    float distance = facing / metal::max(2.0 * _e15, 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
     return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
-    float _e11 = exaggerated_four(_e3, surface_1.normal, 7.0, 0.1, surface_1.smooth_normal_1_, surface_1.smooth_normal_2_, surface_1.smooth_normal_3_, surface_1.smooth_normal_4_);
+    float _e11 = exaggerated_four(_e3, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
     Color _e13 = ramp_oklab(_e11, from_dusk_to_sun);
     metal::float2 _e19 = look.viewport;
-    float _e20 = outer_contour(3.0, surface_1.normal, surface_1.view, _e19);
-    metal::float4 output = metal::mix(_e13, metal::float4(0.098, 0.1059, 0.2, 1.0), _e20);
-    return output;
+    float _e20 = outer_contour(3.0, surface.normal, surface.view, _e19);
+    metal::float4 inked = metal::mix(_e13, metal::float4(0.098, 0.1059, 0.2, 1.0), _e20);
+    return inked;
 }
 
 struct vs_mainInput {
@@ -325,16 +310,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -362,26 +342,19 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> smooth_normal_4_map [[texture(3)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_2;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e33 = view_1.camera_from_world;
-    surface.smooth_normal_1_ = (metal::float4(_e27.xyz, 0.0) * _e33).xyz;
-    metal::float4 _e42 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e48 = view_1.camera_from_world;
-    surface.smooth_normal_2_ = (metal::float4(_e42.xyz, 0.0) * _e48).xyz;
-    metal::float4 _e57 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e63 = view_1.camera_from_world;
-    surface.smooth_normal_3_ = (metal::float4(_e57.xyz, 0.0) * _e63).xyz;
-    metal::float4 _e72 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e78 = view_1.camera_from_world;
-    surface.smooth_normal_4_ = (metal::float4(_e72.xyz, 0.0) * _e78).xyz;
-    Surface _e81 = surface;
-    metal::float4 _e82 = shade(_e81, look);
-    return fs_mainOutput { _e82 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e29 = view_1.camera_from_world;
+    metal::float4 _e37 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e43 = view_1.camera_from_world;
+    metal::float4 _e51 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e57 = view_1.camera_from_world;
+    metal::float4 _e65 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e71 = view_1.camera_from_world;
+    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), (metal::float4(_e23.xyz, 0.0) * _e29).xyz, (metal::float4(_e37.xyz, 0.0) * _e43).xyz, (metal::float4(_e51.xyz, 0.0) * _e57).xyz, (metal::float4(_e65.xyz, 0.0) * _e71).xyz};
+    metal::float4 _e75 = shade(surface_1, look);
+    return fs_mainOutput { _e75 };
 }

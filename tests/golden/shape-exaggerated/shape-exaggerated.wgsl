@@ -72,37 +72,22 @@ struct Ramp {
     interpolation: u32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * 0.5;
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -161,15 +146,15 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
-        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
-        -0.7034186147, 1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055,
-        2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear(vec3f(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -227,14 +212,14 @@ fn detail_lit(finer: vec3f, coarser: vec3f, light: vec3f, contrast: f32) -> f32 
 fn exaggerated_four(light: Light, normal: vec3f, contrast: f32, detail: f32, smooth_1: vec3f,
     smooth_2: vec3f, smooth_3: vec3f, smooth_4: vec3f) -> f32 {
     let r = exp2_stable(-detail);
-    let n1 = normalize_or(smooth_1, normal);
-    let n2 = normalize_or(smooth_2, n1);
-    let n3 = normalize_or(smooth_3, n2);
-    let n4 = normalize_or(smooth_4, n3);
-    let coarse = detail_lit(n2, n3, light.direction, 7.0) + r * (detail_lit(n3, n4, light.direction,
-        7.0) + r * dot(n4, light.direction));
-    let sum = detail_lit(normal, n1, light.direction, 7.0) + r * (detail_lit(n1, n2,
-        light.direction, 7.0) + r * coarse);
+    let n1 = normalize_moderate(smooth_1, normal);
+    let n2 = normalize_moderate(smooth_2, n1);
+    let n3 = normalize_moderate(smooth_3, n2);
+    let n4 = normalize_moderate(smooth_4, n3);
+    let coarse = detail_lit(n2, n3, light.direction, contrast) + r
+        * (detail_lit(n3, n4, light.direction, contrast) + r * dot(n4, light.direction));
+    let sum = detail_lit(normal, n1, light.direction, contrast) + r
+        * (detail_lit(n1, n2, light.direction, contrast) + r * coarse);
     return clamp(0.5 + 0.5 * sum / (1.0 + r * (1.0 + r * (1.0 + r * (1.0 + r)))), 0.0, 1.0);
 }
 
@@ -244,7 +229,7 @@ fn exaggerated_four(light: Light, normal: vec3f, contrast: f32, detail: f32, smo
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normal, view), 0.0, 1.0);
-    let pixels = 3.0 * clamp(viewport.y, 1.0, 1e5) / 1000.0;
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of(facing), 1e-6);
     let near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
@@ -254,12 +239,13 @@ const from_dusk_to_sun = Ramp(array(vec4f(0.1373, 0.1647, 0.302, 1.0), vec4f(0.4
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let every_scale_of_detail = exaggerated_four(look.key, surface.normal, 7.0, 0.1, surface.smooth_normal_1, surface.smooth_normal_2, surface.smooth_normal_3, surface.smooth_normal_4);
+    let every_scale_of_detail = exaggerated_four(look.key, surface.normal, 7.0, 0.1,
+        surface.smooth_normal_1, surface.smooth_normal_2, surface.smooth_normal_3,
+        surface.smooth_normal_4);
     let from_dusk_to_sun_2 = ramp_oklab(every_scale_of_detail, from_dusk_to_sun);
     let ink = outer_contour(3.0, surface.normal, surface.view, look.viewport);
     let inked = mix(from_dusk_to_sun_2, vec4f(0.098, 0.1059, 0.2, 1.0), ink);
-    let output = inked;
-    return output;
+    return inked;
 }
 
 struct Vertex {
@@ -276,24 +262,20 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.smooth_normal_1 = (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    surface.smooth_normal_2 = (vec4f(textureLoad(smooth_normal_2_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    surface.smooth_normal_3 = (vec4f(textureLoad(smooth_normal_3_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    surface.smooth_normal_4 = (vec4f(textureLoad(smooth_normal_4_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0)
+        * view.camera_from_world).xyz, (vec4f(textureLoad(smooth_normal_2_map, vec2i(in.clip.xy),
+        0).xyz, 0.0) * view.camera_from_world).xyz,
+        (vec4f(textureLoad(smooth_normal_3_map, vec2i(in.clip.xy), 0).xyz, 0.0)
+        * view.camera_from_world).xyz, (vec4f(textureLoad(smooth_normal_4_map, vec2i(in.clip.xy),
+        0).xyz, 0.0) * view.camera_from_world).xyz);
+    return shade(surface);
 }

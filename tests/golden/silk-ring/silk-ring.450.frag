@@ -53,7 +53,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const uint NOISE_PERLIN = 1u;
 const ProfileShape lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
 const ProfileShape band_shape = ProfileShape(0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u);
@@ -96,23 +95,18 @@ vec3 normalize_seen_balanced(vec3 v_2) {
 }
 
 vec2 sin_cos_quick(float x_1) {
-    float y_2 = (x_1 * x_1);
-    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666666 + (y_2 * (0.0083332425 + (y_2 * (-0.0001982274 + (y_2 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_2 * (-0.5 + (y_2 * (0.04166666 + (y_2 * (-0.0013888652 + (y_2 * (2.477458e-5 - (y_2 * 2.6297516e-7))))))))));
+    float y_1 = (x_1 * x_1);
+    float s_2 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
     return vec2(s_2, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_4, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
@@ -139,8 +133,8 @@ float bounded(float x_2) {
 
 float eased(float x_3, float low, float high) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_3 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_3 = clamp(_e7, 0.0, 1.0);
     return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
@@ -158,8 +152,8 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y_3 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
-    return DirectionParts(direction, x_axis, y_3, vec2(dot(direction, x_axis), dot(direction, y_3)));
+    vec3 y_2 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y_2, vec2(dot(direction, x_axis), dot(direction, y_2)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -189,9 +183,9 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_4, float y_1) {
+vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_4, float y) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec3 _e10 = direction_moved(_e5, (-(vec2(x_4, y_1)) * _e5.place));
+    vec3 _e10 = direction_moved(_e5, (-(vec2(x_4, y)) * _e5.place));
     return _e10;
 }
 
@@ -205,8 +199,7 @@ vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, b
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
@@ -247,44 +240,18 @@ float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3) {
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_4) {
-    vec2 place_2 = vec2((u_5.half_sin - (u_5.half_cos * 0.0)), (u_5.half_cos + (u_5.half_sin * 0.0)));
-    bool is_narrow_1 = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_4.edge_deviation)));
-    if ((false || is_narrow_1)) {
-        float _e24 = profile_ramp_quick(place_2.x, w_3, shape_4);
-        return _e24;
-    }
-    float _e26 = profile_soft_quick(place_2.x, shape_4);
-    if ((w_3 < (0.1 * shape_4.edge_deviation))) {
-        return _e26;
-    }
-    float r_2 = (0.19364917 * w_3);
-    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e52 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_4);
-    float _e60 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_4);
-    return ((((5.0 * _e52) + (8.0 * _e26)) + (5.0 * _e60)) / 18.0);
-}
-
-float profile_balanced(Angle angle, float shift, ProfileShape shape_5) {
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
     Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_6) {
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
     vec2 _e5 = sin_cos_quick((0.5 * shift_1));
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_7) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -373,7 +340,7 @@ float perlin_noise(vec3 p, uint seed_2) {
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_4) {
+float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_3) {
     float octave = 0.0;
     int i_1 = 0;
     float frequency = 1.0;
@@ -383,8 +350,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = (_e67 + 1);
+            int _e66 = i_1;
+            i_1 = (_e66 + 1);
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -392,15 +359,15 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            vec3 place_3 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            vec3 place_2 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place_3, (0u + uint(_e47)));
+            float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -411,12 +378,12 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_1, int seed_4) {
@@ -426,47 +393,42 @@ float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_1,
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
     vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     vec4 _e35 = blend_alpha(vec4(0.2275, 0.102, 0.2431, 1.0), vec4(0.4824, 0.1843, 0.3882, 1.0), _e22, 1.0, true);
-    vec3 normal = surface_1.normal;
+    vec3 normal = surface.normal;
     Light _e39 = u_look.key;
-    vec3 _e41 = half_vector(_e39, surface_1.view);
+    vec3 _e41 = half_vector(_e39, surface.view);
     AxesAround _e46 = axes(_e41, vec3(0.0, 1.0, 0.0));
     vec3 _e51 = stretch_direction(normal, _e46.x_axis, _e46.y_axis, 0.985, 0.0);
     Angle from_the_band = Angle((0.5 * length((_e51 - _e41))), (0.5 * length((_e51 + _e41))));
-    vec3 place_4 = surface_1.position_object;
-    float _e66 = noise_perlin(place_4, 14.0, 2, 0.5, 0);
+    float _e66 = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
     float waver = mix(-0.05, 0.05, (_e66 - 0.0));
     float _e73 = profile_balanced_2_(from_the_band, waver, band_shape);
     vec4 _e81 = blend_alpha_2_(_e35, vec4(0.9529, 0.6627, 0.7059, 1.0), _e73, 0.95, true);
     Light _e84 = u_look.low;
-    vec3 _e86 = half_vector(_e84, surface_1.view);
+    vec3 _e86 = half_vector(_e84, surface.view);
     AxesAround _e91 = axes(_e86, vec3(0.0, 1.0, 0.0));
     vec3 _e96 = stretch_direction(normal, _e91.x_axis, _e91.y_axis, 0.985, 0.0);
     Angle from_the_second = Angle((0.5 * length((_e96 - _e86))), (0.5 * length((_e96 + _e86))));
-    float _e107 = profile_balanced_3_(from_the_second, waver, second_band_shape);
-    vec4 output_ = clamp(vec4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * vec3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    float _e107 = profile_balanced_2_(from_the_second, waver, second_band_shape);
+    vec4 second_band_on_top = clamp(vec4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * vec3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return second_band_on_top;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    vec4 _e24 = shade(_e23);
-    out_color = _e24;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    vec4 _e20 = shade(surface_1);
+    out_color = _e20;
     return;
 }
 

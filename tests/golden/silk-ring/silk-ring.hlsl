@@ -103,7 +103,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const uint NOISE_PERLIN = 1u;
 static const ProfileShape lit_side_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
 static const ProfileShape band_shape = ConstructProfileShape(0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u);
@@ -161,16 +160,10 @@ float3 normalize_seen_balanced(float3 v_2)
 
 float2 sin_cos_quick(float x_1)
 {
-    float y_2 = (x_1 * x_1);
-    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666666 + (y_2 * (0.0083332425 + (y_2 * (-0.0001982274 + (y_2 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_2 * (-0.5 + (y_2 * (0.04166666 + (y_2 * (-0.0013888652 + (y_2 * (2.477458e-5 - (y_2 * 2.6297516e-7))))))))));
+    float y_1 = (x_1 * x_1);
+    float s_2 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
+    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
     return float2(s_2, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -178,8 +171,8 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_4, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -195,8 +188,8 @@ Angle angle_turned(Angle u_1, float2 t)
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
     float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
     float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
+    return angle_2;
 }
 
 Angle angle_turned_2_(Angle u_2, float2 t_1)
@@ -204,8 +197,8 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     float s_4 = (u_2.half_sin - 0.0);
     float2 upper_1 = ((u_2.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_4, u_2.half_cos));
     float2 turned_1 = (((s_4 <= 0.0) & (s_4 < u_2.half_cos)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
-    return angle_4;
+    const Angle angle_3 = ConstructAngle(turned_1.x, turned_1.y);
+    return angle_3;
 }
 
 float bounded(float x_2)
@@ -219,8 +212,8 @@ float bounded(float x_2)
 float eased(float x_3, float low, float high)
 {
     const float _e3 = bounded(x_3);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_3 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_3 = clamp(_e7, 0.0, 1.0);
     return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
@@ -250,8 +243,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y_3 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_3, float2(dot(direction, x_axis), dot(direction, y_3)));
+    float3 y_2 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_2, float2(dot(direction, x_axis), dot(direction, y_2)));
     return directionparts;
 }
 
@@ -294,10 +287,10 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_4, float y_1)
+float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_4, float y)
 {
     const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    const float3 _e10 = direction_moved(_e5, (-(float2(x_4, y_1)) * _e5.place));
+    const float3 _e10 = direction_moved(_e5, (-(float2(x_4, y)) * _e5.place));
     return _e10;
 }
 
@@ -314,8 +307,7 @@ float4 blend_alpha_2_(float4 below_1, float4 color_1, float tone_1, float opacit
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
@@ -359,48 +351,20 @@ float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3)
     return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_3, ProfileShape shape_4)
-{
-    float2 place_2 = float2((u_5.half_sin - (u_5.half_cos * 0.0)), (u_5.half_cos + (u_5.half_sin * 0.0)));
-    bool is_narrow_1 = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_4.edge_deviation)));
-    if ((false | is_narrow_1)) {
-        const float _e24 = profile_ramp_quick(place_2.x, w_3, shape_4);
-        return _e24;
-    }
-    const float _e26 = profile_soft_quick(place_2.x, shape_4);
-    if ((w_3 < (0.1 * shape_4.edge_deviation))) {
-        return _e26;
-    }
-    float r_2 = (0.19364917 * w_3);
-    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    const float _e52 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_4);
-    const float _e60 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_4);
-    return ((((5.0 * _e52) + (8.0 * _e26)) + (5.0 * _e60)) / 18.0);
-}
-
-float profile_balanced(Angle angle, float shift, ProfileShape shape_5)
+float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
 {
     const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
+    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_6)
+float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
     const float2 _e5 = sin_cos_quick((0.5 * shift_1));
     const Angle _e6 = angle_turned(angle_1, _e5);
     const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_7)
-{
-    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
-    const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_7);
+    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -507,7 +471,7 @@ float perlin_noise(float3 p, uint seed_2)
     return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_4)
+float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_3)
 {
     float octave = (float)0;
     int i_1 = int(0);
@@ -522,8 +486,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_1;
+            i_1 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -531,15 +495,15 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
         float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
             int _e33 = i_1;
-            float3 place_3 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            float3 place_2 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
             int _e47 = i_1;
-            const float _e50 = perlin_noise(place_3, (0u + uint(_e47)));
+            const float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -550,12 +514,12 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float noise_perlin(float3 position, float scale, int octaves_1, float roughness_1, int seed_4)
@@ -566,66 +530,70 @@ float noise_perlin(float3 position, float scale, int octaves_1, float roughness_
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
     float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
     const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     const float4 _e35 = blend_alpha(float4(0.2275, 0.102, 0.2431, 1.0), float4(0.4824, 0.1843, 0.3882, 1.0), _e22, 1.0, true);
-    float3 normal_2 = surface_1.normal;
+    float3 normal_2 = surface.normal;
     Light _e39 = look.key;
-    const float3 _e41 = half_vector(_e39, surface_1.view);
+    const float3 _e41 = half_vector(_e39, surface.view);
     const AxesAround _e46 = axes(_e41, float3(0.0, 1.0, 0.0));
     const float3 _e51 = stretch_direction(normal_2, _e46.x_axis, _e46.y_axis, 0.985, 0.0);
     Angle from_the_band = ConstructAngle((0.5 * length((_e51 - _e41))), (0.5 * length((_e51 + _e41))));
-    float3 place_4 = surface_1.position_object;
-    const float _e66 = noise_perlin(place_4, 14.0, int(2), 0.5, int(0));
+    const float _e66 = noise_perlin(surface.position_object, 14.0, int(2), 0.5, int(0));
     float waver = lerp(-0.05, 0.05, (_e66 - 0.0));
     const float _e73 = profile_balanced_2_(from_the_band, waver, band_shape);
     const float4 _e81 = blend_alpha_2_(_e35, float4(0.9529, 0.6627, 0.7059, 1.0), _e73, 0.95, true);
     Light _e84 = look.low;
-    const float3 _e86 = half_vector(_e84, surface_1.view);
+    const float3 _e86 = half_vector(_e84, surface.view);
     const AxesAround _e91 = axes(_e86, float3(0.0, 1.0, 0.0));
     const float3 _e96 = stretch_direction(normal_2, _e91.x_axis, _e91.y_axis, 0.985, 0.0);
     Angle from_the_second = ConstructAngle((0.5 * length((_e96 - _e86))), (0.5 * length((_e96 + _e86))));
-    const float _e107 = profile_balanced_3_(from_the_second, waver, second_band_shape);
-    float4 output = clamp(float4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * float3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float _e107 = profile_balanced_2_(from_the_second, waver, second_band_shape);
+    float4 second_band_on_top = clamp(float4((_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * float3(0.3529, 0.2471, 0.549))) - _e81.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return second_band_on_top;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    Surface _e23 = surface;
-    const float4 _e24 = shade(_e23);
-    return _e24;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
+    const float4 _e20 = shade(surface_1);
+    return _e20;
 }

@@ -74,7 +74,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant uint NOISE_PERLIN = 1u;
 constant ProfileShape lit_side_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u};
 constant ProfileShape band_shape = ProfileShape {0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u};
@@ -120,17 +119,10 @@ metal::float3 normalize_seen_balanced(
 metal::float2 sin_cos_quick(
     float x_1
 ) {
-    float y_2 = x_1 * x_1;
-    float s_2 = x_1 * (1.0 + (y_2 * (-0.16666666 + (y_2 * (0.0083332425 + (y_2 * (-0.0001982274 + (y_2 * 0.0000026347564))))))));
-    float c = 1.0 + (y_2 * (-0.5 + (y_2 * (0.04166666 + (y_2 * (-0.0013888652 + (y_2 * (0.00002477458 - (y_2 * 0.00000026297516)))))))));
+    float y_1 = x_1 * x_1;
+    float s_2 = x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
+    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
     return metal::float2(s_2, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -139,8 +131,8 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w_4 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_4, 0.5);
 }
 
 Angle angle_turned(
@@ -179,8 +171,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_3);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_3 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_3 = metal::clamp(_e7, 0.0, 1.0);
     return (t_3 * t_3) * (3.0 - (2.0 * t_3));
 }
 
@@ -206,8 +198,8 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y_3 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y_3, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_3))};
+    metal::float3 y_2 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y_2, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_2))};
 }
 
 metal::float3 direction_moved(
@@ -254,10 +246,10 @@ metal::float3 stretch_direction(
     metal::float3 x_axis_1,
     metal::float3 y_axis_1,
     float x_4,
-    float y_1
+    float y
 ) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    metal::float3 _e10 = direction_moved(_e5, -(metal::float2(x_4, y_1)) * _e5.place);
+    metal::float3 _e10 = direction_moved(_e5, -(metal::float2(x_4, y)) * _e5.place);
     return _e10;
 }
 
@@ -286,8 +278,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -340,60 +331,26 @@ float profile_filtered_quick_2_(
     return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
 }
 
-float profile_filtered_quick_3_(
-    Angle u_5,
-    float w_3,
-    ProfileShape shape_4
-) {
-    metal::float2 place_2 = metal::float2(u_5.half_sin - (u_5.half_cos * 0.0), u_5.half_cos + (u_5.half_sin * 0.0));
-    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_4.edge_deviation));
-    if (false | is_narrow_1) {
-        float _e24 = profile_ramp_quick(place_2.x, w_3, shape_4);
-        return _e24;
-    }
-    float _e26 = profile_soft_quick(place_2.x, shape_4);
-    if (w_3 < (0.1 * shape_4.edge_deviation)) {
-        return _e26;
-    }
-    float r_2 = 0.19364917 * w_3;
-    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e52 = profile_soft_quick((place_2.x * turn_2.y) - (place_2.y * turn_2.x), shape_4);
-    float _e60 = profile_soft_quick((place_2.x * turn_2.y) + (place_2.y * turn_2.x), shape_4);
-    return (((5.0 * _e52) + (8.0 * _e26)) + (5.0 * _e60)) / 18.0;
-}
-
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_5
+    ProfileShape shape_4
 ) {
     Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
+    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
     return _e8;
 }
 
 float profile_balanced_2_(
     Angle angle_1,
     float shift_1,
-    ProfileShape shape_6
+    ProfileShape shape_5
 ) {
     metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
     Angle _e6 = angle_turned(angle_1, _e5);
     float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
-}
-
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_7
-) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_7);
+    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
     return _e8;
 }
 
@@ -512,7 +469,7 @@ float fractal_noise(
     int octaves,
     float roughness,
     int seed_3,
-    float w_4
+    float w_3
 ) {
     float octave = {};
     int i_1 = 0;
@@ -526,8 +483,8 @@ float fractal_noise(
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e67 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_1 = false;
         int _e17 = i_1;
@@ -535,15 +492,15 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
+        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
         float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
             int _e33 = i_1;
-            metal::float3 place_3 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place_2 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
             int _e47 = i_1;
-            float _e50 = perlin_noise(place_3, 0u + static_cast<uint>(_e47));
+            float _e50 = perlin_noise(place_2, 0u + static_cast<uint>(_e47));
             octave = metal::mix(0.5, _e50, visible);
         }
         float _e53 = sum_1;
@@ -554,12 +511,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_1;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_1;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float noise_perlin(
@@ -576,33 +533,32 @@ float noise_perlin(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
     metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
     float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     Composite _e35 = blend_alpha(metal::float4(0.2275, 0.102, 0.2431, 1.0), metal::float4(0.4824, 0.1843, 0.3882, 1.0), _e22, 1.0, true);
-    metal::float3 normal = surface_1.normal;
+    metal::float3 normal = surface.normal;
     Light _e39 = look.key;
-    metal::float3 _e41 = half_vector(_e39, surface_1.view);
+    metal::float3 _e41 = half_vector(_e39, surface.view);
     AxesAround _e46 = axes(_e41, metal::float3(0.0, 1.0, 0.0));
     metal::float3 _e51 = stretch_direction(normal, _e46.x_axis, _e46.y_axis, 0.985, 0.0);
     Angle from_the_band = Angle {0.5 * metal::length(_e51 - _e41), 0.5 * metal::length(_e51 + _e41)};
-    metal::float3 place_4 = surface_1.position_object;
-    float _e66 = noise_perlin(place_4, 14.0, 2, 0.5, 0);
+    float _e66 = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
     float waver = metal::mix(-0.05, 0.05, _e66 - 0.0);
     float _e73 = profile_balanced_2_(from_the_band, waver, band_shape);
     Composite _e81 = blend_alpha_2_(_e35, metal::float4(0.9529, 0.6627, 0.7059, 1.0), _e73, 0.95, true);
     Light _e84 = look.low;
-    metal::float3 _e86 = half_vector(_e84, surface_1.view);
+    metal::float3 _e86 = half_vector(_e84, surface.view);
     AxesAround _e91 = axes(_e86, metal::float3(0.0, 1.0, 0.0));
     metal::float3 _e96 = stretch_direction(normal, _e91.x_axis, _e91.y_axis, 0.985, 0.0);
     Angle from_the_second = Angle {0.5 * metal::length(_e96 - _e86), 0.5 * metal::length(_e96 + _e86)};
-    float _e107 = profile_balanced_3_(from_the_second, waver, second_band_shape);
-    metal::float4 output = metal::clamp(metal::float4(_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * metal::float3(0.3529, 0.2471, 0.549))) - _e81.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    float _e107 = profile_balanced_2_(from_the_second, waver, second_band_shape);
+    metal::float4 second_band_on_top = metal::clamp(metal::float4(_e81.xyz + (0.8 * ((_e81.xyz + (_e107 * metal::float3(0.3529, 0.2471, 0.549))) - _e81.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return second_band_on_top;
 }
 
 struct vs_mainInput {
@@ -621,17 +577,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -652,15 +602,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    Surface _e23 = surface;
-    metal::float4 _e24 = shade(_e23, look);
-    return fs_mainOutput { _e24 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object};
+    metal::float4 _e20 = shade(surface_1, look);
+    return fs_mainOutput { _e20 };
 }

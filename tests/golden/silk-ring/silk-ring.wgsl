@@ -63,7 +63,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -111,14 +110,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -160,7 +151,7 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -257,8 +248,8 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -283,8 +274,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -332,25 +322,6 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
-/// points are found by turning the middle one.
-fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
-    let place = vec2f(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
-    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
-        return profile_ramp_quick(place.x, w, shape);
-    }
-    let point = profile_soft_quick(place.x, shape);
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let r = 0.193649167310370844 * w;
-    let turn = vec2f(r * (1.0 - 0.166666666666666667 * r * r), 1.0 - 0.5 * r * r);
-    let before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
-    let after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
-}
-
 fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
@@ -359,11 +330,6 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
-}
-
-fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
-    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 const NOISE_PERLIN: u32 = 1u;
@@ -440,7 +406,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -460,27 +426,31 @@ const second_band_shape = ProfileShape(1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    let body = blend_alpha(vec4f(0.2275, 0.102, 0.2431, 1.0), vec4f(0.4824, 0.1843, 0.3882, 1.0), lit_side, 1.0, true);
+    let body = blend_alpha(vec4f(0.2275, 0.102, 0.2431, 1.0), vec4f(0.4824, 0.1843, 0.3882, 1.0),
+        lit_side, 1.0, true);
     let normal = surface.normal;
     let half = half_vector(look.key, surface.view);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
     let band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis, 0.985, 0.0);
-    let from_the_band = Angle(0.5 * length(band_without_end - half), 0.5 * length(band_without_end + half));
-    let place = surface.position_object;
-    let strands = noise_perlin(place, 14.0, 2i, 0.5, 0i);
+    let from_the_band = Angle(0.5 * length(band_without_end - half), 0.5
+        * length(band_without_end + half));
+    let strands = noise_perlin(surface.position_object, 14.0, 2i, 0.5, 0i);
     let waver = mix(-0.05, 0.05, strands - 0.0);
     let band = profile_balanced_2(from_the_band, waver, band_shape);
     let band_on_top = blend_alpha_2(body, vec4f(0.9529, 0.6627, 0.7059, 1.0), band, 0.95, true);
     let low_half = half_vector(look.low, surface.view);
     let upright_2 = axes(low_half, vec3f(0.0, 1.0, 0.0));
     let second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985, 0.0);
-    let from_the_second = Angle(0.5 * length(second_band - low_half), 0.5 * length(second_band + low_half));
-    let second_band_2 = profile_balanced_3(from_the_second, waver, second_band_shape);
-    let second_band_on_top = clamp(vec4f(band_on_top.xyz + 0.8 * (band_on_top.xyz + second_band_2 * vec4f(0.3529, 0.2471, 0.549, 1.0).xyz - band_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = second_band_on_top;
-    return output;
+    let from_the_second = Angle(0.5 * length(second_band - low_half), 0.5
+        * length(second_band + low_half));
+    let second_band_2 = profile_balanced_2(from_the_second, waver, second_band_shape);
+    let second_band_on_top = clamp(vec4f(band_on_top.xyz + 0.8
+        * (band_on_top.xyz + second_band_2 * vec4f(0.3529, 0.2471, 0.549, 1.0).xyz
+        - band_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return second_band_on_top;
 }
 
 struct Vertex {
@@ -498,22 +468,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object);
+    return shade(surface);
 }

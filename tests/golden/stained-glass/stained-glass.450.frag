@@ -64,7 +64,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 const float CELL_REACH = 1.25;
@@ -111,11 +110,6 @@ vec3 normalize_seen(vec3 v_2) {
     return _e5;
 }
 
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
@@ -140,8 +134,8 @@ float bounded(float x_1) {
 
 float eased(float x_2, float low, float high) {
     float _e3 = bounded(x_2);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -253,13 +247,17 @@ vec4 blend_add(vec4 below, vec4 color_1, float tone, float opacity, bool clamped
     return max(vec4((below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz))), 1.0), vec4(0.0));
 }
 
-vec4 blend_alpha(vec4 below_1, vec4 color_2, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_2.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_add_2_(vec4 below_1, vec4 color_2, float tone_1, float opacity_1, bool clamped_1) {
+    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_3, float tone_2) {
+vec4 blend_alpha(vec4 below_2, vec4 color_3, float tone_2, float opacity_2, bool clamped_2) {
+    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+}
+
+LitLayer light_apply(Light light, vec4 color_4, float tone_3) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    return LitLayer(vec4(((color_4.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
 }
 
 Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
@@ -269,8 +267,7 @@ Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view)
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1) {
@@ -500,8 +497,8 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
     bool loop_init_4 = true;
     while(true) {
         if (!loop_init_4) {
-            int _e67 = i_4;
-            i_4 = (_e67 + 1);
+            int _e66 = i_4;
+            i_4 = (_e66 + 1);
         }
         loop_init_4 = false;
         int _e17 = i_4;
@@ -528,12 +525,12 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 Cells cells(vec3 position_1, float scale_1, int seed_5) {
@@ -553,57 +550,52 @@ float noise_perlin(vec3 position_2, float scale_2, int octaves_1, float roughnes
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    Cells _e4 = cells(surface_1.position_object, 3.4, 4);
+vec4 shade(Surface surface) {
+    Cells _e4 = cells(surface.position_object, 3.4, 4);
     float _e8 = footprint_of(_e4.random);
     vec4 _e9 = ramp_at(colors_1, _e4.random, _e8);
     vec4 _e18 = blend_add(vec4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    float _e24 = noise_perlin(surface_1.position_object, 5.0, 2, 0.5, 0);
-    vec3 _e28 = bump_map(_e24, 0.03, surface_1.normal, surface_1.position);
+    float _e24 = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
+    vec3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
     vec3 _e32 = u_look.sun.direction;
     vec3 _e40 = u_look.sun.direction;
     Angle sun_turn = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
     float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    vec4 light_through_it = clamp(vec4((_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e69 = u_look.room.direction;
-    vec3 _e77 = u_look.room.direction;
-    Angle room_turn = Angle((0.5 * length((_e28 - _e69))), (0.5 * length((_e28 + _e77))));
-    float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    vec4 light_on_it = clamp(vec4((light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e106 = footprint_of(_e4.border);
-    float _e110 = step_filtered(_e4.border, 0.035, length(vec2(_e106, 0.0)));
-    float leading = (1.0 - _e110);
-    vec4 leading_2_ = clamp(vec4((light_on_it.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Light _e131 = u_look.room;
-    Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
-    float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
-    Light _e139 = u_look.room;
-    LitLayer _e145 = light_apply(_e139, vec4(1.0, 0.9647, 0.8941, 1.0), _e136);
-    vec4 _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
-    Light _e153 = u_look.room;
-    Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
-    float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
-    Light _e162 = u_look.room;
-    LitLayer _e168 = light_apply(_e162, vec4(0.1725, 0.1843, 0.2196, 1.0), _e159);
-    vec4 output_ = clamp(vec4((_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    return output_;
+    vec4 _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
+    vec3 _e55 = u_look.room.direction;
+    vec3 _e63 = u_look.room.direction;
+    Angle room_turn = Angle((0.5 * length((_e28 - _e55))), (0.5 * length((_e28 + _e63))));
+    float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    vec4 _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
+    float _e78 = footprint_of(_e4.border);
+    float _e82 = step_filtered(_e4.border, 0.035, length(vec2(_e78, 0.0)));
+    float leading = (1.0 - _e82);
+    vec4 leading_2_ = clamp(vec4((_e74.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - _e74.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Light _e103 = u_look.room;
+    Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
+    float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
+    Light _e111 = u_look.room;
+    LitLayer _e117 = light_apply(_e111, vec4(1.0, 0.9647, 0.8941, 1.0), _e108);
+    vec4 _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
+    Light _e125 = u_look.room;
+    Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
+    float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
+    Light _e134 = u_look.room;
+    LitLayer _e140 = light_apply(_e134, vec4(0.1725, 0.1843, 0.2196, 1.0), _e131);
+    vec4 _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
+    return _e145;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position = in_.position;
-    surface.position_object = in_.position_object;
-    Surface _e25 = surface;
-    vec4 _e26 = shade(_e25);
-    out_color = _e26;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object);
+    vec4 _e21 = shade(surface_1);
+    out_color = _e21;
     return;
 }
 

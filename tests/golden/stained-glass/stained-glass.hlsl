@@ -136,7 +136,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
 static const float CELL_REACH = 1.25;
@@ -197,12 +196,6 @@ float3 normalize_seen(float3 v_2)
     return _e5;
 }
 
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
-}
-
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
@@ -239,8 +232,8 @@ float bounded(float x_1)
 float eased(float x_2, float low, float high)
 {
     const float _e3 = bounded(x_2);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_2 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_2 = clamp(_e7, 0.0, 1.0);
     return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
@@ -373,9 +366,14 @@ float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool c
     return max(float4((below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz))), 1.0), (0.0).xxxx);
 }
 
-float4 blend_alpha(float4 below_1, float4 color_2, float tone_1, float opacity_1, bool clamped_1)
+float4 blend_add_2_(float4 below_1, float4 color_2, float tone_1, float opacity_1, bool clamped_1)
 {
-    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_2.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+}
+
+float4 blend_alpha(float4 below_2, float4 color_3, float tone_2, float opacity_2, bool clamped_2)
+{
+    return clamp(float4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -385,10 +383,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_3, float tone_2)
+LitLayer light_apply(Light light, float4 color_4, float tone_3)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_4.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
     return litlayer;
 }
 
@@ -402,8 +400,7 @@ Angle parametrization_specular_balanced(Light light_1, float3 normal_2, float3 v
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1)
@@ -684,8 +681,8 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
         if (all(loop_bound_4 == uint2(0u, 0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e67 = i_4;
-            i_4 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_4;
+            i_4 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_4 = false;
         int _e17 = i_4;
@@ -712,12 +709,12 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_1;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_1;
+    return min((_e69 / 1.5), 1.0);
 }
 
 Cells ConstructCells(float arg0, float arg1, float arg2) {
@@ -748,76 +745,81 @@ float noise_perlin(float3 position_2, float scale_2, int octaves_1, float roughn
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const Cells _e4 = cells(surface_1.position_object, 3.4, int(4));
+    const Cells _e4 = cells(surface.position_object, 3.4, int(4));
     const float _e8 = footprint_of(_e4.random);
     const float4 _e9 = ramp_at(colors_1, _e4.random, _e8);
     const float4 _e18 = blend_add(float4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    const float _e24 = noise_perlin(surface_1.position_object, 5.0, int(2), 0.5, int(0));
-    const float3 _e28 = bump_map(_e24, 0.03, surface_1.normal, surface_1.position);
+    const float _e24 = noise_perlin(surface.position_object, 5.0, int(2), 0.5, int(0));
+    const float3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
     float3 _e32 = look.sun.direction;
     float3 _e40 = look.sun.direction;
     Angle sun_turn = ConstructAngle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
     const float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    float4 light_through_it = clamp(float4((_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e69 = look.room.direction;
-    float3 _e77 = look.room.direction;
-    Angle room_turn = ConstructAngle((0.5 * length((_e28 - _e69))), (0.5 * length((_e28 + _e77))));
-    const float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    float4 light_on_it = clamp(float4((light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e106 = footprint_of(_e4.border);
-    const float _e110 = step_filtered(_e4.border, 0.035, length(float2(_e106, 0.0)));
-    float leading = (1.0 - _e110);
-    float4 leading_2_ = clamp(float4((light_on_it.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e131 = look.room;
-    const Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
-    const float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
-    Light _e139 = look.room;
-    const LitLayer _e145 = light_apply(_e139, float4(1.0, 0.9647, 0.8941, 1.0), _e136);
-    const float4 _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
-    Light _e153 = look.room;
-    const Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
-    const float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
-    Light _e162 = look.room;
-    const LitLayer _e168 = light_apply(_e162, float4(0.1725, 0.1843, 0.2196, 1.0), _e159);
-    float4 output = clamp(float4((_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return output;
+    const float4 _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
+    float3 _e55 = look.room.direction;
+    float3 _e63 = look.room.direction;
+    Angle room_turn = ConstructAngle((0.5 * length((_e28 - _e55))), (0.5 * length((_e28 + _e63))));
+    const float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    const float4 _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
+    const float _e78 = footprint_of(_e4.border);
+    const float _e82 = step_filtered(_e4.border, 0.035, length(float2(_e78, 0.0)));
+    float leading = (1.0 - _e82);
+    float4 leading_2_ = clamp(float4((_e74.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - _e74.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e103 = look.room;
+    const Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
+    const float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
+    Light _e111 = look.room;
+    const LitLayer _e117 = light_apply(_e111, float4(1.0, 0.9647, 0.8941, 1.0), _e108);
+    const float4 _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
+    Light _e125 = look.room;
+    const Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
+    const float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
+    Light _e134 = look.room;
+    const LitLayer _e140 = light_apply(_e134, float4(0.1725, 0.1843, 0.2196, 1.0), _e131);
+    const float4 _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
+    return _e145;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position = arg2;
+    ret.position_object = arg3;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_4, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position = in_.position;
-    surface.position_object = in_.position_object;
-    Surface _e25 = surface;
-    const float4 _e26 = shade(_e25);
-    return _e26;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object);
+    const float4 _e21 = shade(surface_1);
+    return _e21;
 }

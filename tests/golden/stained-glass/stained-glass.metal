@@ -92,7 +92,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 constant float CELL_REACH = 1.25;
@@ -140,13 +139,6 @@ metal::float3 normalize_seen(
     return _e5;
 }
 
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
-}
-
 float angle_footprint(
     Angle u
 ) {
@@ -182,8 +174,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_2);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_2 = metal::clamp(_e7, 0.0, 1.0);
     return (t_2 * t_2) * (3.0 - (2.0 * t_2));
 }
 
@@ -337,23 +329,33 @@ Composite blend_add(
     return metal::max(metal::float4(below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz)), 1.0), metal::float4(0.0));
 }
 
-Composite blend_alpha(
+Composite blend_add_2_(
     Composite below_1,
     Color color_2,
     float tone_1,
     float opacity_1,
     bool clamped_1
 ) {
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_2.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+}
+
+Composite blend_alpha(
+    Composite below_2,
+    Color color_3,
+    float tone_2,
+    float opacity_2,
+    bool clamped_2
+) {
+    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_3,
-    float tone_2
+    Color color_4,
+    float tone_3
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
+    return LitLayer {metal::float4((color_4.xyz * light.color) * split.y, 1.0), tone_3 * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -370,8 +372,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -671,8 +672,8 @@ float fractal_noise(
         if (metal::all(loop_bound_4 == uint2(0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e67 = i_4;
-            i_4 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_4;
+            i_4 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_4 = false;
         int _e17 = i_4;
@@ -699,12 +700,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_1;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_1;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 Cells cells(
@@ -735,42 +736,42 @@ float noise_perlin(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    Cells _e4 = cells(surface_1.position_object, 3.4, 4);
+    Cells _e4 = cells(surface.position_object, 3.4, 4);
     float _e8 = footprint_of(_e4.random);
     Color _e9 = ramp_at(colors_1, _e4.random, _e8);
     Composite _e18 = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    float _e24 = noise_perlin(surface_1.position_object, 5.0, 2, 0.5, 0);
-    metal::float3 _e28 = bump_map(_e24, 0.03, surface_1.normal, surface_1.position);
+    float _e24 = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
+    metal::float3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
     metal::float3 _e32 = look.sun.direction;
     metal::float3 _e40 = look.sun.direction;
     Angle sun_turn = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
     float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    metal::float4 light_through_it = metal::clamp(metal::float4(_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e69 = look.room.direction;
-    metal::float3 _e77 = look.room.direction;
-    Angle room_turn = Angle {0.5 * metal::length(_e28 - _e69), 0.5 * metal::length(_e28 + _e77)};
-    float _e85 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    metal::float4 light_on_it = metal::clamp(metal::float4(light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e106 = footprint_of(_e4.border);
-    float _e110 = step_filtered(_e4.border, 0.035, metal::length(metal::float2(_e106, 0.0)));
-    float leading = 1.0 - _e110;
-    metal::float4 leading_2_ = metal::clamp(metal::float4(light_on_it.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e131 = look.room;
-    Angle _e133 = parametrization_specular_balanced(_e131, _e28, surface_1.view);
-    float _e136 = profile_balanced_2_(_e133, 0.0, gleam_tone_shape);
-    Light _e139 = look.room;
-    LitLayer _e145 = light_apply(_e139, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e136);
-    Composite _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
-    Light _e153 = look.room;
-    Angle _e156 = parametrization_specular_balanced(_e153, surface_1.normal, surface_1.view);
-    float _e159 = profile_balanced_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
-    Light _e162 = look.room;
-    LitLayer _e168 = light_apply(_e162, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e159);
-    metal::float4 output = metal::clamp(metal::float4(_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return output;
+    Composite _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
+    metal::float3 _e55 = look.room.direction;
+    metal::float3 _e63 = look.room.direction;
+    Angle room_turn = Angle {0.5 * metal::length(_e28 - _e55), 0.5 * metal::length(_e28 + _e63)};
+    float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    Composite _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
+    float _e78 = footprint_of(_e4.border);
+    float _e82 = step_filtered(_e4.border, 0.035, metal::length(metal::float2(_e78, 0.0)));
+    float leading = 1.0 - _e82;
+    metal::float4 leading_2_ = metal::clamp(metal::float4(_e74.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - _e74.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e103 = look.room;
+    Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
+    float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
+    Light _e111 = look.room;
+    LitLayer _e117 = light_apply(_e111, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e108);
+    Composite _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
+    Light _e125 = look.room;
+    Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
+    float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
+    Light _e134 = look.room;
+    LitLayer _e140 = light_apply(_e134, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e131);
+    Composite _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
+    return _e145;
 }
 
 struct vs_mainInput {
@@ -789,17 +790,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_3, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -820,16 +815,11 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    Surface _e25 = surface;
-    metal::float4 _e26 = shade(_e25, look);
-    return fs_mainOutput { _e26 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position, in.position_object};
+    metal::float4 _e21 = shade(surface_1, look);
+    return fs_mainOutput { _e21 };
 }

@@ -78,7 +78,6 @@ struct Ramp {
     interpolation: u32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
@@ -115,14 +114,6 @@ fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -154,7 +145,7 @@ fn bounded(x: f32) -> f32 {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -256,10 +247,19 @@ fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: b
     return max(vec4f(below.xyz + opacity * (below.xyz + color.xyz - below.xyz), 1.0), vec4f(0.0));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * color.xyz - below.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
+}
+
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -305,8 +305,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -492,7 +491,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -542,25 +541,31 @@ fn shade(surface: Surface) -> vec4f {
     let glass_in_shade = blend_add(vec4f(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
     let wavering_glass = noise_perlin(surface.position_object, 5.0, 2i, 0.5, 0i);
     let glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
-    let sun_turn = Angle(0.5 * length(glass - look.sun.direction), 0.5 * length(glass + look.sun.direction));
+    let sun_turn = Angle(0.5 * length(glass - look.sun.direction), 0.5
+        * length(glass + look.sun.direction));
     let through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    let light_through_it = clamp(vec4f(glass_in_shade.xyz + 0.95 * (glass_in_shade.xyz + through_the_glass * colors_2.xyz - glass_in_shade.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let room_turn = Angle(0.5 * length(glass - look.room.direction), 0.5 * length(glass + look.room.direction));
+    let light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
+    let room_turn = Angle(0.5 * length(glass - look.room.direction), 0.5
+        * length(glass + look.room.direction));
     let on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    let light_on_it = clamp(vec4f(light_through_it.xyz + 0.45 * (light_through_it.xyz + on_the_glass * colors_2.xyz - light_through_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
     let seam = step_filtered(panes.border, 0.035, length(vec2f(footprint_of(panes.border), 0.0)));
     let leading = 1.0 - seam;
-    let leading_2 = clamp(vec4f(light_on_it.xyz + leading * (vec4f(0.0824, 0.0863, 0.102, 1.0).xyz - light_on_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let leading_2 = clamp(vec4f(light_on_it.xyz + leading
+        * (vec4f(0.0824, 0.0863, 0.102, 1.0).xyz - light_on_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
     let gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
     let gleam_lit = light_apply(look.room, vec4f(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     let gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
-    let edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
-    let edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
-    let edge_of_the_lead_lit = light_apply(look.room, vec4f(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
-    let edge_of_the_lead_blend = clamp(vec4f(gleam_blend.xyz + 0.35 * (gleam_blend.xyz + edge_of_the_lead_lit.tone * edge_of_the_lead_lit.color.xyz - gleam_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let output = edge_of_the_lead_blend;
-    return output;
+    let edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal,
+        surface.view);
+    let edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0,
+        edge_of_the_lead_tone_shape);
+    let edge_of_the_lead_lit = light_apply(look.room, vec4f(0.1725, 0.1843, 0.2196, 1.0),
+        edge_of_the_lead_tone);
+    let edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color,
+        edge_of_the_lead_lit.tone, 0.35, true);
+    return edge_of_the_lead_blend;
 }
 
 struct Vertex {
@@ -578,23 +583,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position = in.position;
-    surface.position_object = in.position_object;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position), in.position,
+        in.position_object);
+    return shade(surface);
 }

@@ -56,8 +56,9 @@ struct Light {
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -96,28 +97,10 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    let bits = bitcast<vec3u>(v);
-    let magnitude = bits & vec3u(0x7fffffffu);
-    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
-    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
-    return select(numbers, v, magnitude < vec3u(0x7f800000u));
-}
-
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.75) / 0.75), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -135,24 +118,27 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     return v;
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -258,10 +244,9 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
     let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -274,8 +259,8 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(210.0, 210.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -320,13 +305,13 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
             break;
         }
         let cell = vec2i(corner) + vec2i(i % 3 - 1, i / 3 - 1);
-        let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 0u * vec3u(0x9e3779b9u,
-            0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+        let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 0u
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
         let turning = cell + vec2i(0i, zoom * 7);
-        let turn = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u * (bitcast<u32>(turning.x)
-            & 3u))) & 0xffu) + 0.5) * 0.00390625);
+        let turn = 0.96875 * ((f32((tile[blue_index(turning)]
+            >> (8u * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         let radius = 0.5 * style.size * sqrt(grown);
         let far = length(offset) / reach;
@@ -350,8 +335,8 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
     let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch * exp2_stable(2.0
-        * zoom), w, style);
+    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch
+        * exp2_stable(2.0 * zoom), w, style);
     if fine > 0.0 {
         let finer = dots_of_octave(at.place, i32(zoom) + 1, ink * fine, at.stretch
             * exp2_stable(2.0 * zoom + 2.0), w, style);
@@ -362,8 +347,8 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -380,13 +365,12 @@ fn shade(surface: Surface) -> vec4f {
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let darker_at_the_rim = min((facing - 0.0) / (0.55 - 0.0), 1.0);
-    let both = light_and_shade * darker_at_the_rim;
-    let tone_to_draw = min((both - 0.0) / (0.85 - 0.0), 1.0);
+    let tone_to_draw = min((light_and_shade * darker_at_the_rim - 0.0) / (0.85 - 0.0), 1.0);
     let moves_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    let dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0), 1.0 - tone_to_draw, Dots(0.85, 0.8, 0u));
+    let dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0), 1.0
+        - tone_to_draw, Dots(0.85, 0.8, 0u));
     let ink_on_paper = mix(vec4f(0.965, 0.95, 0.915, 1.0), vec4f(0.09, 0.12, 0.22, 1.0), dots);
-    let output = ink_on_paper;
-    return output;
+    return ink_on_paper;
 }
 
 struct Vertex {
@@ -403,22 +387,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position), in.clip.xy
+        * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))));
+    return shade(surface);
 }

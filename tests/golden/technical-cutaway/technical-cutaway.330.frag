@@ -60,7 +60,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape metal_tone_shape = ProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
 const ProfileShape contour_tone_shape = ProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
@@ -91,15 +90,10 @@ vec3 normalize_seen(vec3 v_2) {
 }
 
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return vec2(s_3, c);
-}
-
-float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u) {
@@ -156,12 +150,8 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+float transition_balanced(float kappa, float slope) {
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
@@ -196,8 +186,7 @@ Angle parametrization_screen_aligned_balanced(Light light_3, vec3 normal_1, mat3
 
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
-    float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_1) {
@@ -255,70 +244,62 @@ vec4 gooch(Light light_4, vec3 normal_2, vec4 color_5, vec4 cool, vec4 warm, flo
     return vec4(mix(far, near, clamp(t_1, 0.0, 1.0)), 1.0);
 }
 
-Shaded shade(Surface surface_1) {
+Shaded shade(Surface surface) {
     Light _e3 = u_look.key;
-    vec4 _e22 = gooch(_e3, surface_1.normal, vec4(0.8314, 0.8392, 0.8549, 1.0), vec4(0.1725, 0.2902, 0.4863, 1.0), vec4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    vec4 _e22 = gooch(_e3, surface.normal, vec4(0.8314, 0.8392, 0.8549, 1.0), vec4(0.1725, 0.2902, 0.4863, 1.0), vec4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
     vec4 cool_to_warm_2_ = vec4((vec3(1.0) + (_e22.xyz - vec3(1.0))), 1.0);
-    float _e34 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float hollows_convexity = (0.5 + (0.5 * _e34));
-    vec4 _e46 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e49 = u_look.key;
-    LitLayer _e51 = light_apply(_e49, _e46, 1.0);
-    vec4 hollows_blend = clamp(vec4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e51.tone * _e51.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Light _e73 = u_look.key;
-    Angle _e76 = parametrization_specular_balanced(_e73, surface_1.normal, surface_1.view);
-    float _e79 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float metal_convexity = (0.5 + (0.5 * _e79));
-    float metal_warp = (((2.0 * metal_convexity) - 1.0) * 0.05);
-    float _e91 = profile_balanced(_e76, metal_warp, metal_tone_shape);
-    Light _e94 = u_look.key;
-    LitLayer _e97 = light_apply_2_(_e94, vec4(1.0), _e91);
-    vec4 _e102 = blend_alpha(hollows_blend, _e97.color, _e97.tone, 0.8, true);
-    Light _e105 = u_look.eye;
-    mat3x3 _e109 = u_look.camera_from_world;
-    Angle _e110 = parametrization_screen_aligned_balanced(_e105, surface_1.normal, _e109);
-    float _e113 = curvature_signed_balanced_2_(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e113));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.25);
-    float _e125 = profile_balanced_2_(_e110, contour_warp, contour_tone_shape);
-    Light _e128 = u_look.eye;
-    LitLayer _e131 = light_apply_2_(_e128, vec4(1.0), _e125);
-    vec4 contour_blend = clamp(vec4((_e102.xyz * (_e131.tone * _e131.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 place_1 = surface_1.position_object;
+    float _e34 = transition_balanced(surface.kappa, 0.25);
+    vec4 _e42 = curvature_color(_e34, vec4(1.0), vec4(0.5412, 0.5804, 0.6588, 1.0));
+    Light _e45 = u_look.key;
+    LitLayer _e47 = light_apply(_e45, _e42, 1.0);
+    vec4 hollows_blend = clamp(vec4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e47.tone * _e47.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Light _e69 = u_look.key;
+    Angle _e72 = parametrization_specular_balanced(_e69, surface.normal, surface.view);
+    float _e75 = transition_balanced(surface.kappa, 0.2);
+    float metal_warp = (((2.0 * _e75) - 1.0) * 0.05);
+    float _e83 = profile_balanced(_e72, metal_warp, metal_tone_shape);
+    Light _e86 = u_look.key;
+    LitLayer _e89 = light_apply_2_(_e86, vec4(1.0), _e83);
+    vec4 _e94 = blend_alpha(hollows_blend, _e89.color, _e89.tone, 0.8, true);
+    Light _e97 = u_look.eye;
+    mat3x3 _e101 = u_look.camera_from_world;
+    Angle _e102 = parametrization_screen_aligned_balanced(_e97, surface.normal, _e101);
+    float _e105 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e105) - 1.0) * 0.25);
+    float _e113 = profile_balanced_2_(_e102, contour_warp, contour_tone_shape);
+    Light _e116 = u_look.eye;
+    LitLayer _e119 = light_apply_2_(_e116, vec4(1.0), _e113);
+    vec4 contour_blend = clamp(vec4((_e94.xyz * (_e119.tone * _e119.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 place_1 = surface.position_object;
     VectorParts parts = VectorParts(place_1.x, place_1.y, place_1.z);
     float into_the_corner = min(parts.x, parts.z);
-    float _e154 = footprint_of(into_the_corner);
-    float _e160 = step_filtered(into_the_corner, -0.012, length(vec2(min(_e154, 1000000000000000.0), 0.0)));
-    vec4 section_line = clamp(vec4((contour_blend.xyz + (_e160 * (vec3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e178 = footprint_of(into_the_corner);
-    float _e184 = step_filtered(into_the_corner, 0.02, length(vec2(min(_e178, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e184);
+    float _e142 = footprint_of(into_the_corner);
+    float _e148 = step_filtered(into_the_corner, -0.012, length(vec2(min(_e142, 1000000000000000.0), 0.0)));
+    vec4 section_line = clamp(vec4((contour_blend.xyz + (_e148 * (vec3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e166 = footprint_of(into_the_corner);
+    float _e172 = step_filtered(into_the_corner, 0.02, length(vec2(min(_e166, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e172);
     vec4 cut = vec4(section_line.xyz, kept);
-    vec4 _e189 = premultiplied(cut);
-    vec4 _e190 = output_(_e189);
-    return Shaded(_e190, _e190, 0.5);
+    vec4 _e177 = premultiplied(cut);
+    vec4 _e178 = output_(_e177);
+    return Shaded(_e178, _e178, 0.5);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    Shaded _e32 = shade(_e31);
-    if ((_e32.color.w < _e32.cutoff)) {
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    Shaded _e27 = shade(surface_1);
+    if ((_e27.color.w < _e27.cutoff)) {
         discard;
     }
-    vec4 _e38 = finite_vec4_(_e32.value);
-    out_color = _e38;
+    vec4 _e33 = finite_vec4_(_e27.value);
+    out_color = _e33;
     return;
 }
 

@@ -35,7 +35,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float LOG2_E = 1.442695;
 const ProfileShape metal_tone_shape = ProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
 const ProfileShape contour_tone_shape = ProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
@@ -51,20 +50,15 @@ layout(location = 2) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     mat4x4 _e3 = u_object.world_from_object;
     vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e12 = u_view.clip_from_world;
-    out_.clip = (_e12 * world);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    mat3x3 _e21 = u_object.world_from_normal;
-    out_.normal = (_e21 * vertex.normal);
-    Varyings _e24 = out_;
-    gl_Position = _e24.clip;
-    v_position = _e24.position;
-    v_position_object = _e24.position_object;
-    v_normal = _e24.normal;
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e16 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, vertex.position, (_e16 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_position_object = _tmp_return.position_object;
+    v_normal = _tmp_return.normal;
     return;
 }
 

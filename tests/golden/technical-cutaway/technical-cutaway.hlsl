@@ -109,7 +109,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape metal_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
 static const ProfileShape contour_tone_shape = ConstructProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
@@ -153,16 +152,10 @@ float3 normalize_seen(float3 v_2)
 
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_3 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_3, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -235,14 +228,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_alpha(float4 below, float4 color_1, float tone, float opacity, bool clamped)
@@ -295,8 +283,7 @@ Angle parametrization_screen_aligned_balanced(Light light_3, float3 normal_1, fl
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_1)
@@ -376,68 +363,76 @@ Shaded ConstructShaded(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-Shaded shade(Surface surface_1)
+Shaded shade(Surface surface)
 {
     Light _e3 = look.key;
-    const float4 _e22 = gooch(_e3, surface_1.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    const float4 _e22 = gooch(_e3, surface.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
     float4 cool_to_warm_2_ = float4(((1.0).xxx + (_e22.xyz - (1.0).xxx)), 1.0);
-    const float _e34 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float hollows_convexity = (0.5 + (0.5 * _e34));
-    const float4 _e46 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e49 = look.key;
-    const LitLayer _e51 = light_apply(_e49, _e46, 1.0);
-    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e51.tone * _e51.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e73 = look.key;
-    const Angle _e76 = parametrization_specular_balanced(_e73, surface_1.normal, surface_1.view);
-    const float _e79 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float metal_convexity = (0.5 + (0.5 * _e79));
-    float metal_warp = (((2.0 * metal_convexity) - 1.0) * 0.05);
-    const float _e91 = profile_balanced(_e76, metal_warp, metal_tone_shape);
-    Light _e94 = look.key;
-    const LitLayer _e97 = light_apply_2_(_e94, (1.0).xxxx, _e91);
-    const float4 _e102 = blend_alpha(hollows_blend, _e97.color, _e97.tone, 0.8, true);
-    Light _e105 = look.eye;
-    float3x3 _e109 = look.camera_from_world;
-    const Angle _e110 = parametrization_screen_aligned_balanced(_e105, surface_1.normal, _e109);
-    const float _e113 = curvature_signed_balanced_2_(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e113));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.25);
-    const float _e125 = profile_balanced_2_(_e110, contour_warp, contour_tone_shape);
-    Light _e128 = look.eye;
-    const LitLayer _e131 = light_apply_2_(_e128, (1.0).xxxx, _e125);
-    float4 contour_blend = clamp(float4((_e102.xyz * (_e131.tone * _e131.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 place_1 = surface_1.position_object;
+    const float _e34 = transition_balanced(surface.kappa, 0.25);
+    const float4 _e42 = curvature_color(_e34, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
+    Light _e45 = look.key;
+    const LitLayer _e47 = light_apply(_e45, _e42, 1.0);
+    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e47.tone * _e47.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e69 = look.key;
+    const Angle _e72 = parametrization_specular_balanced(_e69, surface.normal, surface.view);
+    const float _e75 = transition_balanced(surface.kappa, 0.2);
+    float metal_warp = (((2.0 * _e75) - 1.0) * 0.05);
+    const float _e83 = profile_balanced(_e72, metal_warp, metal_tone_shape);
+    Light _e86 = look.key;
+    const LitLayer _e89 = light_apply_2_(_e86, (1.0).xxxx, _e83);
+    const float4 _e94 = blend_alpha(hollows_blend, _e89.color, _e89.tone, 0.8, true);
+    Light _e97 = look.eye;
+    float3x3 _e101 = look.camera_from_world;
+    const Angle _e102 = parametrization_screen_aligned_balanced(_e97, surface.normal, _e101);
+    const float _e105 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e105) - 1.0) * 0.25);
+    const float _e113 = profile_balanced_2_(_e102, contour_warp, contour_tone_shape);
+    Light _e116 = look.eye;
+    const LitLayer _e119 = light_apply_2_(_e116, (1.0).xxxx, _e113);
+    float4 contour_blend = clamp(float4((_e94.xyz * (_e119.tone * _e119.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 place_1 = surface.position_object;
     VectorParts parts = ConstructVectorParts(place_1.x, place_1.y, place_1.z);
     float into_the_corner = min(parts.x, parts.z);
-    const float _e154 = footprint_of(into_the_corner);
-    const float _e160 = step_filtered(into_the_corner, -0.012, length(float2(min(_e154, 1000000000000000.0), 0.0)));
-    float4 section_line = clamp(float4((contour_blend.xyz + (_e160 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e178 = footprint_of(into_the_corner);
-    const float _e184 = step_filtered(into_the_corner, 0.02, length(float2(min(_e178, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e184);
+    const float _e142 = footprint_of(into_the_corner);
+    const float _e148 = step_filtered(into_the_corner, -0.012, length(float2(min(_e142, 1000000000000000.0), 0.0)));
+    float4 section_line = clamp(float4((contour_blend.xyz + (_e148 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e166 = footprint_of(into_the_corner);
+    const float _e172 = step_filtered(into_the_corner, 0.02, length(float2(min(_e166, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e172);
     float4 cut = float4(section_line.xyz, kept);
-    const float4 _e189 = premultiplied(cut);
-    const float4 _e190 = output(_e189);
-    const Shaded shaded = ConstructShaded(_e190, _e190, 0.5);
+    const float4 _e177 = premultiplied(cut);
+    const float4 _e178 = output(_e177);
+    const Shaded shaded = ConstructShaded(_e178, _e178, 0.5);
     return shaded;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -448,22 +443,16 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_5 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_5;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    const Shaded _e32 = shade(_e31);
-    if ((_e32.color.w < _e32.cutoff)) {
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x);
+    const Shaded _e27 = shade(surface_1);
+    if ((_e27.color.w < _e27.cutoff)) {
         discard;
     }
-    const float4 _e38 = finite_vec4_(_e32.value);
-    return _e38;
+    const float4 _e33 = finite_vec4_(_e27.value);
+    return _e33;
 }

@@ -81,7 +81,6 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float LOG2_E = 1.442695;
 constant ProfileShape metal_tone_shape = ProfileShape {0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u};
 constant ProfileShape contour_tone_shape = ProfileShape {0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u};
 
@@ -110,17 +109,10 @@ metal::float3 normalize_seen(
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_3 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
+    float y = x * x;
+    float s_3 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
     return metal::float2(s_3, c);
-}
-
-float log2_one_minus(
-    float y
-) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
 float angle_footprint(
@@ -198,18 +190,11 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
+float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * 0.25, -20.0, 20.0))));
-}
-
-float curvature_signed_balanced_2_(
-    float kappa_1,
-    float slope_1
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope_1, -20.0, 20.0))));
+    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
 Composite blend_alpha(
@@ -271,8 +256,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    float _e8 = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * _e8, -126.0)), 1.0));
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
 float profile_ramp_quick(
@@ -359,50 +343,47 @@ Color gooch(
 }
 
 Shaded shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
-    Color _e22 = gooch(_e3, surface_1.normal, metal::float4(0.8314, 0.8392, 0.8549, 1.0), metal::float4(0.1725, 0.2902, 0.4863, 1.0), metal::float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    Color _e22 = gooch(_e3, surface.normal, metal::float4(0.8314, 0.8392, 0.8549, 1.0), metal::float4(0.1725, 0.2902, 0.4863, 1.0), metal::float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
     metal::float4 cool_to_warm_2_ = metal::float4(metal::float3(1.0) + (_e22.xyz - metal::float3(1.0)), 1.0);
-    float _e34 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float hollows_convexity = 0.5 + (0.5 * _e34);
-    Color _e46 = curvature_color(hollows_convexity, metal::float4(1.0), metal::float4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e49 = look.key;
-    LitLayer _e51 = light_apply(_e49, _e46, 1.0);
-    metal::float4 hollows_blend = metal::clamp(metal::float4(cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e51.tone * _e51.color.xyz)) - cool_to_warm_2_.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e73 = look.key;
-    Angle _e76 = parametrization_specular_balanced(_e73, surface_1.normal, surface_1.view);
-    float _e79 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float metal_convexity = 0.5 + (0.5 * _e79);
-    float metal_warp = ((2.0 * metal_convexity) - 1.0) * 0.05;
-    float _e91 = profile_balanced(_e76, metal_warp, metal_tone_shape);
-    Light _e94 = look.key;
-    LitLayer _e97 = light_apply_2_(_e94, metal::float4(1.0), _e91);
-    Composite _e102 = blend_alpha(hollows_blend, _e97.color, _e97.tone, 0.8, true);
-    Light _e105 = look.eye;
-    metal::float3x3 _e109 = look.camera_from_world;
-    Angle _e110 = parametrization_screen_aligned_balanced(_e105, surface_1.normal, _e109);
-    float _e113 = curvature_signed_balanced_2_(surface_1.kappa, 0.12);
-    float contour_convexity = 0.5 + (0.5 * _e113);
-    float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.25;
-    float _e125 = profile_balanced_2_(_e110, contour_warp, contour_tone_shape);
-    Light _e128 = look.eye;
-    LitLayer _e131 = light_apply_2_(_e128, metal::float4(1.0), _e125);
-    metal::float4 contour_blend = metal::clamp(metal::float4(_e102.xyz * (_e131.tone * _e131.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 place_1 = surface_1.position_object;
-    VectorParts parts = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
+    float _e34 = transition_balanced(surface.kappa, 0.25);
+    Color _e42 = curvature_color(_e34, metal::float4(1.0), metal::float4(0.5412, 0.5804, 0.6588, 1.0));
+    Light _e45 = look.key;
+    LitLayer _e47 = light_apply(_e45, _e42, 1.0);
+    metal::float4 hollows_blend = metal::clamp(metal::float4(cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e47.tone * _e47.color.xyz)) - cool_to_warm_2_.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e69 = look.key;
+    Angle _e72 = parametrization_specular_balanced(_e69, surface.normal, surface.view);
+    float _e75 = transition_balanced(surface.kappa, 0.2);
+    float metal_warp = ((2.0 * _e75) - 1.0) * 0.05;
+    float _e83 = profile_balanced(_e72, metal_warp, metal_tone_shape);
+    Light _e86 = look.key;
+    LitLayer _e89 = light_apply_2_(_e86, metal::float4(1.0), _e83);
+    Composite _e94 = blend_alpha(hollows_blend, _e89.color, _e89.tone, 0.8, true);
+    Light _e97 = look.eye;
+    metal::float3x3 _e101 = look.camera_from_world;
+    Angle _e102 = parametrization_screen_aligned_balanced(_e97, surface.normal, _e101);
+    float _e105 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = ((2.0 * _e105) - 1.0) * 0.25;
+    float _e113 = profile_balanced_2_(_e102, contour_warp, contour_tone_shape);
+    Light _e116 = look.eye;
+    LitLayer _e119 = light_apply_2_(_e116, metal::float4(1.0), _e113);
+    metal::float4 contour_blend = metal::clamp(metal::float4(_e94.xyz * (_e119.tone * _e119.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 place_1 = surface.position_object;
+    VectorParts parts = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
     float into_the_corner = metal::min(parts.x, parts.z);
-    float _e154 = footprint_of(into_the_corner);
-    float _e160 = step_filtered(into_the_corner, -0.012, metal::length(metal::float2(metal::min(_e154, 1000000000000000.0), 0.0)));
-    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + (_e160 * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e178 = footprint_of(into_the_corner);
-    float _e184 = step_filtered(into_the_corner, 0.02, metal::length(metal::float2(metal::min(_e178, 1000000000000000.0), 0.0)));
-    float kept = 1.0 - _e184;
+    float _e142 = footprint_of(into_the_corner);
+    float _e148 = step_filtered(into_the_corner, -0.012, metal::length(metal::float2(metal::min(_e142, 1000000000000000.0), 0.0)));
+    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + (_e148 * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e166 = footprint_of(into_the_corner);
+    float _e172 = step_filtered(into_the_corner, 0.02, metal::length(metal::float2(metal::min(_e166, 1000000000000000.0), 0.0)));
+    float kept = 1.0 - _e172;
     metal::float4 cut = metal::float4(section_line.xyz, kept);
-    Composite _e189 = premultiplied(cut);
-    Color _e190 = output(_e189);
-    return Shaded {_e190, _e190, 0.5};
+    Composite _e177 = premultiplied(cut);
+    Color _e178 = output(_e177);
+    return Shaded {_e178, _e178, 0.5};
 }
 
 struct vs_mainInput {
@@ -421,17 +402,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -457,21 +432,16 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_3;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    metal::float4 _e29 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e29.x;
-    Surface _e31 = surface;
-    Shaded _e32 = shade(_e31, look);
-    if (_e32.color.w < _e32.cutoff) {
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x};
+    Shaded _e27 = shade(surface_1, look);
+    if (_e27.color.w < _e27.cutoff) {
         metal::discard_fragment();
     }
-    metal::float4 _e38 = finite_vec4_(_e32.value);
-    return fs_mainOutput { _e38 };
+    metal::float4 _e33 = finite_vec4_(_e27.value);
+    return fs_mainOutput { _e33 };
 }

@@ -110,7 +110,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float LOG2_E = 1.442695;
 static const ProfileShape metal_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
 static const ProfileShape contour_tone_shape = ConstructProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
@@ -133,56 +132,30 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
 float4 finite_vec4_(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_or(float3 v_1, float3 otherwise)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return otherwise;
-    }
-    float3 scaled = (v_1 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate(float3 v_2, float3 otherwise_1)
+float3 normalize_seen(float3 v_2)
 {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float2 sin_cos_quick(float x_1)
+float2 sin_cos_quick(float x)
 {
-    float y_1 = (x_1 * x_1);
-    float s_3 = (x_1 * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
+    float y = (x * x);
+    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
     return float2(s_3, c);
-}
-
-float log2_one_minus(float y)
-{
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 float angle_footprint(Angle u)
@@ -211,25 +184,25 @@ Angle angle_turned(Angle u_1, float2 t)
     return angle_2;
 }
 
-float bounded(float x_2)
+float bounded(float x_1)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_1);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float footprint_of(float x_3)
+float footprint_of(float x_2)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_4, float edge, float w)
+float step_filtered(float x_3, float edge, float w)
 {
-    float d_1 = (x_4 - edge);
+    float d_1 = (x_3 - edge);
     if ((w < 1e-30)) {
         return ((d_1 >= 0.0) ? 1.0 : 0.0);
     }
@@ -266,14 +239,9 @@ float4 surface_texel(float3 normal_1, float depth, float number)
     return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float transition_balanced(float kappa, float slope)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25), -20.0, 20.0))))));
-}
-
-float curvature_signed_balanced_2_(float kappa_1, float slope_1)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1), -20.0, 20.0))))));
+    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
 float4 blend_alpha(float4 below, float4 color_1, float tone, float opacity, bool clamped)
@@ -326,8 +294,7 @@ Angle parametrization_screen_aligned_balanced(Light light_3, float3 normal_3, fl
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
-    const float _e8 = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * _e8), -126.0)), 1.0)));
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
 float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_1)
@@ -407,68 +374,76 @@ Shaded ConstructShaded(float3 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-Shaded shade(Surface surface_1)
+Shaded shade(Surface surface)
 {
     Light _e3 = look.key;
-    const float4 _e22 = gooch(_e3, surface_1.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    const float4 _e22 = gooch(_e3, surface.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
     float4 cool_to_warm_2_ = float4(((1.0).xxx + (_e22.xyz - (1.0).xxx)), 1.0);
-    const float _e34 = curvature_signed_balanced(surface_1.kappa, 0.25);
-    float hollows_convexity = (0.5 + (0.5 * _e34));
-    const float4 _e46 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e49 = look.key;
-    const LitLayer _e51 = light_apply(_e49, _e46, 1.0);
-    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e51.tone * _e51.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e73 = look.key;
-    const Angle _e76 = parametrization_specular_balanced(_e73, surface_1.normal, surface_1.view);
-    const float _e79 = curvature_signed_balanced_2_(surface_1.kappa, 0.2);
-    float metal_convexity = (0.5 + (0.5 * _e79));
-    float metal_warp = (((2.0 * metal_convexity) - 1.0) * 0.05);
-    const float _e91 = profile_balanced(_e76, metal_warp, metal_tone_shape);
-    Light _e94 = look.key;
-    const LitLayer _e97 = light_apply_2_(_e94, (1.0).xxxx, _e91);
-    const float4 _e102 = blend_alpha(hollows_blend, _e97.color, _e97.tone, 0.8, true);
-    Light _e105 = look.eye;
-    float3x3 _e109 = look.camera_from_world;
-    const Angle _e110 = parametrization_screen_aligned_balanced(_e105, surface_1.normal, _e109);
-    const float _e113 = curvature_signed_balanced_2_(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e113));
-    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.25);
-    const float _e125 = profile_balanced_2_(_e110, contour_warp, contour_tone_shape);
-    Light _e128 = look.eye;
-    const LitLayer _e131 = light_apply_2_(_e128, (1.0).xxxx, _e125);
-    float4 contour_blend = clamp(float4((_e102.xyz * (_e131.tone * _e131.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 place_1 = surface_1.position_object;
+    const float _e34 = transition_balanced(surface.kappa, 0.25);
+    const float4 _e42 = curvature_color(_e34, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
+    Light _e45 = look.key;
+    const LitLayer _e47 = light_apply(_e45, _e42, 1.0);
+    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e47.tone * _e47.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e69 = look.key;
+    const Angle _e72 = parametrization_specular_balanced(_e69, surface.normal, surface.view);
+    const float _e75 = transition_balanced(surface.kappa, 0.2);
+    float metal_warp = (((2.0 * _e75) - 1.0) * 0.05);
+    const float _e83 = profile_balanced(_e72, metal_warp, metal_tone_shape);
+    Light _e86 = look.key;
+    const LitLayer _e89 = light_apply_2_(_e86, (1.0).xxxx, _e83);
+    const float4 _e94 = blend_alpha(hollows_blend, _e89.color, _e89.tone, 0.8, true);
+    Light _e97 = look.eye;
+    float3x3 _e101 = look.camera_from_world;
+    const Angle _e102 = parametrization_screen_aligned_balanced(_e97, surface.normal, _e101);
+    const float _e105 = transition_balanced(surface.kappa, 0.12);
+    float contour_warp = (((2.0 * _e105) - 1.0) * 0.25);
+    const float _e113 = profile_balanced_2_(_e102, contour_warp, contour_tone_shape);
+    Light _e116 = look.eye;
+    const LitLayer _e119 = light_apply_2_(_e116, (1.0).xxxx, _e113);
+    float4 contour_blend = clamp(float4((_e94.xyz * (_e119.tone * _e119.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 place_1 = surface.position_object;
     VectorParts parts = ConstructVectorParts(place_1.x, place_1.y, place_1.z);
     float into_the_corner = min(parts.x, parts.z);
-    const float _e154 = footprint_of(into_the_corner);
-    const float _e160 = step_filtered(into_the_corner, -0.012, length(float2(min(_e154, 1000000000000000.0), 0.0)));
-    float4 section_line = clamp(float4((contour_blend.xyz + (_e160 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e178 = footprint_of(into_the_corner);
-    const float _e184 = step_filtered(into_the_corner, 0.02, length(float2(min(_e178, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e184);
+    const float _e142 = footprint_of(into_the_corner);
+    const float _e148 = step_filtered(into_the_corner, -0.012, length(float2(min(_e142, 1000000000000000.0), 0.0)));
+    float4 section_line = clamp(float4((contour_blend.xyz + (_e148 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e166 = footprint_of(into_the_corner);
+    const float _e172 = step_filtered(into_the_corner, 0.02, length(float2(min(_e166, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e172);
     float4 cut = float4(section_line.xyz, kept);
-    const float4 _e189 = premultiplied(cut);
-    const float4 _e190 = output(_e189);
-    const Shaded shaded = ConstructShaded(surface_1.normal, _e190, 0.5);
+    const float4 _e177 = premultiplied(cut);
+    const float4 _e178 = output(_e177);
+    const Shaded shaded = ConstructShaded(surface.normal, _e178, 0.5);
     return shaded;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
@@ -476,35 +451,30 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_6 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     bool local = (bool)0;
-    Surface surface = (Surface)0;
 
     const float3 _e3 = normalize_seen(in_.normal);
     float4 _e6 = view_1.eye;
     float _e11 = view_1.eye.w;
-    const float3 _e15 = normalize_or((_e6.xyz - (_e11 * in_.position)), _e3);
+    float3 toward = normalize((_e6.xyz - (_e11 * in_.position)));
     if (!(is_front)) {
-        local = (dot(_e3, _e15) < -0.1);
+        local = (dot(_e3, toward) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
     float3 normal_7 = (is_behind ? -(_e3) : _e3);
-    surface.normal = normal_7;
-    float4 _e31 = view_1.eye;
-    float _e36 = view_1.eye.w;
-    surface.view = normalize((_e31.xyz - (_e36 * in_.position)));
-    surface.position_object = in_.position_object;
-    surface.kappa = 0.0;
-    Surface _e45 = surface;
-    const Shaded _e46 = shade(_e45);
-    if ((_e46.color.w < _e46.cutoff)) {
+    float4 _e28 = view_1.eye;
+    float _e33 = view_1.eye.w;
+    Surface surface_1 = ConstructSurface(normal_7, normalize((_e28.xyz - (_e33 * in_.position))), in_.position_object, 0.0);
+    const Shaded _e41 = shade(surface_1);
+    if ((_e41.color.w < _e41.cutoff)) {
         discard;
     }
-    float4x4 _e53 = view_1.camera_from_world;
-    float3 seen = mul(float4(_e46.value, 0.0), _e53).xyz;
-    float4x4 _e61 = view_1.camera_from_world;
-    float depth_1 = -(mul(float4(in_.position, 1.0), _e61).z);
-    float _e70 = object.id;
-    const float4 _e73 = surface_texel(seen, depth_1, (_e70 + 1.0));
-    return _e73;
+    float4x4 _e48 = view_1.camera_from_world;
+    float3 seen = mul(float4(_e41.value, 0.0), _e48).xyz;
+    float4x4 _e56 = view_1.camera_from_world;
+    float depth_1 = -(mul(float4(in_.position, 1.0), _e56).z);
+    float _e65 = object.id;
+    const float4 _e68 = surface_texel(seen, depth_1, (_e65 + 1.0));
+    return _e68;
 }

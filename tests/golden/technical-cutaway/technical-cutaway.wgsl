@@ -66,7 +66,6 @@ struct Light {
     intensity: f32,
 }
 
-const LOG2_E: f32 = 1.44269504088896340736;
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     let exponent = vec4u(0x7f800000u);
@@ -95,14 +94,6 @@ fn sin_cos_quick(x: f32) -> vec2f {
     let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
         * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
-}
-
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
-/// hardware's; -100 at 1.
-fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5
-        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
-    return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -171,22 +162,15 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * 0.25, -20.0, 20.0)));
-}
-
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced_2(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+fn transition_balanced(kappa: f32, slope: f32) -> f32 {
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + exp2(2.8853900817779268 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
-        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Output
@@ -255,8 +239,7 @@ struct ProfileShape {
 /// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     let q = s * shape.scale;
-    return select(select(min(exp2(max(shape.exponent * log2_one_minus(min(q * q, 1.0)), -126.0)),
-        1.0), 0.0, q >= 1.0), 1.0, s <= 0.0);
+    return select(pow(max(1.0 - q * q, 0.0), shape.exponent), 1.0, s <= 0.0);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -340,30 +323,38 @@ struct Shaded {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> Shaded {
-    let cool_to_warm = gooch(look.key, surface.normal, vec4f(0.8314, 0.8392, 0.8549, 1.0), vec4f(0.1725, 0.2902, 0.4863, 1.0), vec4f(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    let cool_to_warm = gooch(look.key, surface.normal, vec4f(0.8314, 0.8392, 0.8549, 1.0),
+        vec4f(0.1725, 0.2902, 0.4863, 1.0), vec4f(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
     let cool_to_warm_2 = vec4f(1.0 + (cool_to_warm.xyz - 1.0), 1.0);
-    let hollows_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.25);
-    let hollows_color = curvature_color(hollows_convexity, vec4f(1.0), vec4f(0.5412, 0.5804, 0.6588, 1.0));
+    let hollows_convexity = transition_balanced(surface.kappa, 0.25);
+    let hollows_color = curvature_color(hollows_convexity, vec4f(1.0),
+        vec4f(0.5412, 0.5804, 0.6588, 1.0));
     let hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    let hollows_blend = clamp(vec4f(cool_to_warm_2.xyz + 0.8 * (cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - cool_to_warm_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let hollows_blend = clamp(vec4f(cool_to_warm_2.xyz + 0.8
+        * (cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - cool_to_warm_2.xyz),
+        1.0), vec4f(0.0), vec4f(1.0));
     let metal_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    let metal_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.2);
-    let metal_warp = (2.0 * metal_convexity - 1.0) * 0.05;
+    let metal_warp = (2.0 * transition_balanced(surface.kappa, 0.2) - 1.0) * 0.05;
     let metal_tone = profile_balanced(metal_angle, metal_warp, metal_tone_shape);
     let metal_lit = light_apply_2(look.key, vec4f(1.0), metal_tone);
     let metal_blend = blend_alpha(hollows_blend, metal_lit.color, metal_lit.tone, 0.8, true);
-    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    let contour_convexity = 0.5 + 0.5 * curvature_signed_balanced_2(surface.kappa, 0.12);
-    let contour_warp = (2.0 * contour_convexity - 1.0) * 0.25;
+    let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.25;
     let contour_tone = profile_balanced_2(contour_angle, contour_warp, contour_tone_shape);
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let contour_blend = clamp(vec4f(metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz),
+        1.0), vec4f(0.0), vec4f(1.0));
     let place = surface.position_object;
     let parts = VectorParts(place.x, place.y, place.z);
     let into_the_corner = min(parts.x, parts.z);
-    let section = step_filtered(into_the_corner, -0.012, length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
-    let section_line = clamp(vec4f(contour_blend.xyz + section * (vec4f(0.8471, 0.1569, 0.1098, 1.0).xyz - contour_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
-    let taken_out = step_filtered(into_the_corner, 0.02, length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
+    let section = step_filtered(into_the_corner, -0.012,
+        length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
+    let section_line = clamp(vec4f(contour_blend.xyz + section
+        * (vec4f(0.8471, 0.1569, 0.1098, 1.0).xyz - contour_blend.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
+    let taken_out = step_filtered(into_the_corner, 0.02,
+        length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
     let kept = 1.0 - taken_out;
     let cut = vec4f(section_line.xyz, kept);
     let output_2 = output(premultiplied(cut));
@@ -385,23 +376,16 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
     let shaded = shade(surface);
     if shaded.color.w < shaded.cutoff {
         discard;

@@ -78,9 +78,9 @@ float exp2_stable(float x) {
 }
 
 float exp2_stable_2_(float x_1) {
-    float clamped = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped);
-    float f_1 = (clamped - whole_1);
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
@@ -295,13 +295,13 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+vec4 blend_add(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color_1.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light_1, vec4 color_1, float tone) {
+LitLayer light_apply(Light light_1, vec4 color_2, float tone_1) {
     vec2 split = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light_1.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
@@ -437,52 +437,47 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float evening_sun_convexity = (0.5 + (0.5 * _e3));
-    vec4 _e18 = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0), vec4(0.66, 0.24, 0.24, 1.0));
-    vec3 _e23 = u_look.key.direction;
-    vec3 _e32 = u_look.key.direction;
-    Angle evening_sun_angle = Angle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+vec4 shade(Surface surface) {
+    float evening_sun_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.12), -20.0, 20.0))))))));
+    vec4 _e30 = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0), vec4(0.66, 0.24, 0.24, 1.0));
+    vec3 _e35 = u_look.key.direction;
+    vec3 _e44 = u_look.key.direction;
+    Angle evening_sun_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
-    float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
-    Light _e48 = u_look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 evening_sun_blend = clamp(vec4((vec3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e70 = u_look.sky.direction;
-    vec3 _e79 = u_look.sky.direction;
-    Angle sky_angle = Angle((0.5 * length((surface_1.normal - _e70))), (0.5 * length((surface_1.normal + _e79))));
-    float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e90 = u_look.sky;
-    LitLayer _e96 = light_apply(_e90, vec4(0.02, 0.24, 0.3, 1.0), _e87);
-    vec4 sky_blend = clamp(vec4((evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    Light _e112 = u_look.key;
-    Angle _e115 = parametrization_specular_balanced(_e112, surface_1.normal, surface_1.view);
-    float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
-    Light _e121 = u_look.key;
-    LitLayer _e127 = light_apply(_e121, vec4(0.42, 0.38, 0.24, 1.0), _e118);
-    vec4 glow_blend = clamp(vec4((sky_blend.xyz + (_e127.tone * _e127.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e143 = posterize_lightness(glow_blend, 7, 0.02);
-    vec3 _e147 = palette_blend(seven_inks, _e143.xyz, 0.0);
-    vec4 output_ = vec4(_e147, 1.0);
-    return output_;
+    float _e57 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    Light _e60 = u_look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    vec4 _e71 = blend_add(vec4(0.07, 0.1, 0.22, 1.0), _e61.color, _e61.tone, 1.0, true);
+    vec3 _e76 = u_look.sky.direction;
+    vec3 _e85 = u_look.sky.direction;
+    Angle sky_angle = Angle((0.5 * length((surface.normal - _e76))), (0.5 * length((surface.normal + _e85))));
+    float _e93 = profile_2_(sky_angle, 0.0, sky_tone_shape);
+    Light _e96 = u_look.sky;
+    LitLayer _e102 = light_apply(_e96, vec4(0.02, 0.24, 0.3, 1.0), _e93);
+    vec4 _e107 = blend_add(_e71, _e102.color, _e102.tone, 1.0, true);
+    Light _e110 = u_look.key;
+    Angle _e113 = parametrization_specular_balanced(_e110, surface.normal, surface.view);
+    float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
+    Light _e119 = u_look.key;
+    LitLayer _e125 = light_apply(_e119, vec4(0.42, 0.38, 0.24, 1.0), _e116);
+    vec4 _e130 = blend_add(_e107, _e125.color, _e125.tone, 1.0, true);
+    vec4 _e133 = posterize_lightness(_e130, 7, 0.02);
+    vec3 _e137 = palette_blend(seven_inks, _e133.xyz, 0.0);
+    vec4 seven_inks_2_ = vec4(_e137, 1.0);
+    return seven_inks_2_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), 0.0);
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -158,9 +158,9 @@ float exp2_stable(float x)
 
 float exp2_stable_2_(float x_1)
 {
-    float clamped = max(x_1, -126.0);
-    float whole_1 = round(clamped);
-    float f_1 = (clamped - whole_1);
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = round(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
@@ -413,9 +413,9 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float curvature_signed_balanced(float kappa, float slope)
+float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool clamped)
 {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
+    return clamp(float4((below.xyz + (tone * color_1.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -425,10 +425,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light_1, float4 color_1, float tone)
+LitLayer light_apply(Light light_1, float4 color_2, float tone_1)
 {
     float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split.y), 1.0), (tone * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
 }
 
@@ -580,53 +580,62 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e3 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float evening_sun_convexity = (0.5 + (0.5 * _e3));
-    const float4 _e18 = curvature_color(evening_sun_convexity, float4(0.93, 0.62, 0.36, 1.0), float4(0.66, 0.24, 0.24, 1.0));
-    float3 _e23 = look.key.direction;
-    float3 _e32 = look.key.direction;
-    Angle evening_sun_angle = ConstructAngle((0.5 * length((surface_1.normal - _e23))), (0.5 * length((surface_1.normal + _e32))));
+    float evening_sun_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.12), -20.0, 20.0))))))));
+    const float4 _e30 = curvature_color(evening_sun_convexity, float4(0.93, 0.62, 0.36, 1.0), float4(0.66, 0.24, 0.24, 1.0));
+    float3 _e35 = look.key.direction;
+    float3 _e44 = look.key.direction;
+    Angle evening_sun_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
     float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
-    const float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
-    Light _e48 = look.key;
-    const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    float4 evening_sun_blend = clamp(float4((float3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e70 = look.sky.direction;
-    float3 _e79 = look.sky.direction;
-    Angle sky_angle = ConstructAngle((0.5 * length((surface_1.normal - _e70))), (0.5 * length((surface_1.normal + _e79))));
-    const float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e90 = look.sky;
-    const LitLayer _e96 = light_apply(_e90, float4(0.02, 0.24, 0.3, 1.0), _e87);
-    float4 sky_blend = clamp(float4((evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e112 = look.key;
-    const Angle _e115 = parametrization_specular_balanced(_e112, surface_1.normal, surface_1.view);
-    const float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
-    Light _e121 = look.key;
-    const LitLayer _e127 = light_apply(_e121, float4(0.42, 0.38, 0.24, 1.0), _e118);
-    float4 glow_blend = clamp(float4((sky_blend.xyz + (_e127.tone * _e127.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e143 = posterize_lightness(glow_blend, int(7), 0.02);
-    const float3 _e147 = palette_blend(seven_inks, _e143.xyz, 0.0);
-    float4 output = float4(_e147, 1.0);
-    return output;
+    const float _e57 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    Light _e60 = look.key;
+    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    const float4 _e71 = blend_add(float4(0.07, 0.1, 0.22, 1.0), _e61.color, _e61.tone, 1.0, true);
+    float3 _e76 = look.sky.direction;
+    float3 _e85 = look.sky.direction;
+    Angle sky_angle = ConstructAngle((0.5 * length((surface.normal - _e76))), (0.5 * length((surface.normal + _e85))));
+    const float _e93 = profile_2_(sky_angle, 0.0, sky_tone_shape);
+    Light _e96 = look.sky;
+    const LitLayer _e102 = light_apply(_e96, float4(0.02, 0.24, 0.3, 1.0), _e93);
+    const float4 _e107 = blend_add(_e71, _e102.color, _e102.tone, 1.0, true);
+    Light _e110 = look.key;
+    const Angle _e113 = parametrization_specular_balanced(_e110, surface.normal, surface.view);
+    const float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
+    Light _e119 = look.key;
+    const LitLayer _e125 = light_apply(_e119, float4(0.42, 0.38, 0.24, 1.0), _e116);
+    const float4 _e130 = blend_add(_e107, _e125.color, _e125.tone, 1.0, true);
+    const float4 _e133 = posterize_lightness(_e130, int(7), 0.02);
+    const float3 _e137 = palette_blend(seven_inks, _e133.xyz, 0.0);
+    float4 seven_inks_2_ = float4(_e137, 1.0);
+    return seven_inks_2_;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.kappa = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -637,17 +646,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

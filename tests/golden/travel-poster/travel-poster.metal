@@ -38,6 +38,7 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
+typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -102,9 +103,9 @@ float exp2_stable(
 float exp2_stable_2_(
     float x_1
 ) {
-    float clamped = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped);
-    float f_1 = clamped - whole_1;
+    float clamped_1 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_1);
+    float f_1 = clamped_1 - whole_1;
     float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
     return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
@@ -386,20 +387,23 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float curvature_signed_balanced(
-    float kappa,
-    float slope
+Composite blend_add(
+    Composite below,
+    Color color_1,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
+    return metal::clamp(metal::float4(below.xyz + (tone * color_1.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light_1,
-    Color color_1,
-    float tone
+    Color color_2,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split.y, 1.0), tone * split.x};
+    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -579,37 +583,36 @@ float profile_3_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e3 = curvature_signed_balanced(surface_1.kappa, 0.12);
-    float evening_sun_convexity = 0.5 + (0.5 * _e3);
-    Color _e18 = curvature_color(evening_sun_convexity, metal::float4(0.93, 0.62, 0.36, 1.0), metal::float4(0.66, 0.24, 0.24, 1.0));
-    metal::float3 _e23 = look.key.direction;
-    metal::float3 _e32 = look.key.direction;
-    Angle evening_sun_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float evening_sun_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.12, -20.0, 20.0))))));
+    Color _e30 = curvature_color(evening_sun_convexity, metal::float4(0.93, 0.62, 0.36, 1.0), metal::float4(0.66, 0.24, 0.24, 1.0));
+    metal::float3 _e35 = look.key.direction;
+    metal::float3 _e44 = look.key.direction;
+    Angle evening_sun_angle = Angle {0.5 * metal::length(surface.normal - _e35), 0.5 * metal::length(surface.normal + _e44)};
     float evening_sun_warp = ((2.0 * evening_sun_convexity) - 1.0) * 0.1;
-    float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
-    Light _e48 = look.key;
-    LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    metal::float4 evening_sun_blend = metal::clamp(metal::float4(metal::float3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e70 = look.sky.direction;
-    metal::float3 _e79 = look.sky.direction;
-    Angle sky_angle = Angle {0.5 * metal::length(surface_1.normal - _e70), 0.5 * metal::length(surface_1.normal + _e79)};
-    float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e90 = look.sky;
-    LitLayer _e96 = light_apply(_e90, metal::float4(0.02, 0.24, 0.3, 1.0), _e87);
-    metal::float4 sky_blend = metal::clamp(metal::float4(evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e112 = look.key;
-    Angle _e115 = parametrization_specular_balanced(_e112, surface_1.normal, surface_1.view);
-    float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
-    Light _e121 = look.key;
-    LitLayer _e127 = light_apply(_e121, metal::float4(0.42, 0.38, 0.24, 1.0), _e118);
-    metal::float4 glow_blend = metal::clamp(metal::float4(sky_blend.xyz + (_e127.tone * _e127.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e143 = posterize_lightness(glow_blend, 7, 0.02);
-    metal::float3 _e147 = palette_blend(seven_inks, _e143.xyz, 0.0);
-    metal::float4 output = metal::float4(_e147, 1.0);
-    return output;
+    float _e57 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    Light _e60 = look.key;
+    LitLayer _e61 = light_apply(_e60, _e30, _e57);
+    Composite _e71 = blend_add(metal::float4(0.07, 0.1, 0.22, 1.0), _e61.color, _e61.tone, 1.0, true);
+    metal::float3 _e76 = look.sky.direction;
+    metal::float3 _e85 = look.sky.direction;
+    Angle sky_angle = Angle {0.5 * metal::length(surface.normal - _e76), 0.5 * metal::length(surface.normal + _e85)};
+    float _e93 = profile_2_(sky_angle, 0.0, sky_tone_shape);
+    Light _e96 = look.sky;
+    LitLayer _e102 = light_apply(_e96, metal::float4(0.02, 0.24, 0.3, 1.0), _e93);
+    Composite _e107 = blend_add(_e71, _e102.color, _e102.tone, 1.0, true);
+    Light _e110 = look.key;
+    Angle _e113 = parametrization_specular_balanced(_e110, surface.normal, surface.view);
+    float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
+    Light _e119 = look.key;
+    LitLayer _e125 = light_apply(_e119, metal::float4(0.42, 0.38, 0.24, 1.0), _e116);
+    Composite _e130 = blend_add(_e107, _e125.color, _e125.tone, 1.0, true);
+    Color _e133 = posterize_lightness(_e130, 7, 0.02);
+    metal::float3 _e137 = palette_blend(seven_inks, _e133.xyz, 0.0);
+    metal::float4 seven_inks_2_ = metal::float4(_e137, 1.0);
+    return seven_inks_2_;
 }
 
 struct vs_mainInput {
@@ -627,16 +630,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -661,16 +659,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e27.x;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

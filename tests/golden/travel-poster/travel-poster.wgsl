@@ -40,6 +40,9 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
+/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
+alias Composite = vec4f;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -81,8 +84,9 @@ const LOG2_E: f32 = 1.44269504088896340736;
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -92,8 +96,9 @@ fn exp2_stable_2(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -278,15 +283,15 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
-        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
-        -0.7034186147, 1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
+        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
+        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear_3(vec3f(pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055)
-        / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear_3(vec3f(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -327,8 +332,8 @@ fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
 fn posterize_lightness(color: Color, steps: i32, softness: f32) -> Color {
     let lab = oklab_of_linear(vec3f(linear_of_srgb(color.x), linear_of_srgb(color.y),
         linear_of_srgb(color.z)));
-    let stepped = clamp(stairs_filtered(7.0 * clamp(lab.x, 0.0, 1.0), 7.0, length(vec2f(7.0
-        * footprint_of(lab.x), softness))) / 6.0, 0.0, 1.0);
+    let stepped = clamp(stairs_filtered(7.0 * clamp(lab.x, 0.0, 1.0), 7.0,
+        length(vec2f(7.0 * footprint_of(lab.x), softness))) / 6.0, 0.0, 1.0);
     let kept = select(0.0, stepped / max(lab.x, 1e-4), lab.x > 1e-4);
     return vec4f(clamp(srgb_of_oklab(vec3f(stepped, lab.yz * min(kept, 1.0))), vec3f(0.0),
         vec3f(1.0)), 1.0);
@@ -341,10 +346,11 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+    return clamp(vec4f(below.xyz + tone * color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -533,25 +539,29 @@ const seven_inks = Ramp(array(vec4f(0.0863, 0.1333, 0.2471, 1.0), vec4f(0.1725, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let evening_sun_convexity = 0.5 + 0.5 * curvature_signed_balanced(surface.kappa, 0.12);
-    let evening_sun_color = curvature_color(evening_sun_convexity, vec4f(0.93, 0.62, 0.36, 1.0), vec4f(0.66, 0.24, 0.24, 1.0));
-    let evening_sun_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let evening_sun_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.12, -20.0, 20.0))));
+    let evening_sun_color = curvature_color(evening_sun_convexity, vec4f(0.93, 0.62, 0.36, 1.0),
+        vec4f(0.66, 0.24, 0.24, 1.0));
+    let evening_sun_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     let evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
     let evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     let evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
-    let evening_sun_blend = clamp(vec4f(vec4f(0.07, 0.1, 0.22, 1.0).xyz + evening_sun_lit.tone * evening_sun_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
-    let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5 * length(surface.normal + look.sky.direction));
+    let evening_sun_blend = blend_add(vec4f(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color,
+        evening_sun_lit.tone, 1.0, true);
+    let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5
+        * length(surface.normal + look.sky.direction));
     let sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     let sky_lit = light_apply(look.sky, vec4f(0.02, 0.24, 0.3, 1.0), sky_tone);
-    let sky_blend = clamp(vec4f(evening_sun_blend.xyz + sky_lit.tone * sky_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
     let glow_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     let glow_lit = light_apply(look.key, vec4f(0.42, 0.38, 0.24, 1.0), glow_tone);
-    let glow_blend = clamp(vec4f(sky_blend.xyz + glow_lit.tone * glow_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+    let glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
     let seven_lightnesses = posterize_lightness(glow_blend, 7i, 0.02);
     let seven_inks_2 = vec4f(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
-    let output = seven_inks_2;
-    return output;
+    return seven_inks_2;
 }
 
 struct Vertex {
@@ -568,21 +578,15 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        textureLoad(curvature_map, vec2i(in.clip.xy), 0).x);
+    return shade(surface);
 }

@@ -87,6 +87,14 @@ float exp2_stable(float x_1) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
+float exp2_stable_2_(float x_2) {
+    float clamped_1 = max(x_2, -126.0);
+    float whole_1 = roundEven(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+}
+
 vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     float square_1 = dot(v_1, v_1);
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
@@ -96,11 +104,11 @@ vec3 normalize_seen_balanced(vec3 v_2) {
     return (v_2 * inversesqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float bounded(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float bounded(float x_3) {
+    uint bits = floatBitsToUint(x_3);
     uint magnitude = (bits & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float divided(float a, float b) {
@@ -111,9 +119,9 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -157,7 +165,7 @@ vec3 srgb_of_oklab(vec3 lab_1) {
     return vec3(_e3, _e5, _e7);
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4) {
+RampPlace ramp_place(Ramp ramp, float x_5) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -180,7 +188,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_5) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 4u);
@@ -188,7 +196,7 @@ RampPlace ramp_place(Ramp ramp, float x_4) {
     uint _e39 = at;
     float place_1 = places[(_e35 / 4u)][(_e39 % 4u)];
     float _e51 = places[(after / 4u)][(after % 4u)];
-    float _e53 = divided((x_4 - place_1), (_e51 - place_1));
+    float _e53 = divided((x_5 - place_1), (_e51 - place_1));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     vec4 _e59 = colors[_e57];
@@ -204,35 +212,23 @@ vec4 mix_colors_screen_2_(vec4 a_2, vec4 b_2, float factor_1) {
     return vec4(mix(a_2.xyz, ((a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz)), factor_1), 1.0);
 }
 
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope) {
-    float a_4 = ((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
+float curvature_signed(float kappa, float slope) {
+    float a_4 = (clamp(kappa, -10000.0, 10000.0) * slope);
     float magnitude_1 = min(abs(a_4), 50.0);
     if ((magnitude_1 < 0.0625)) {
         float a2_ = (a_4 * a_4);
         return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
+    float _e25 = exp2_stable_2_((-2.88539 * magnitude_1));
+    float t_1 = ((1.0 - _e25) / (1.0 + _e25));
     return ((a_4 >= 0.0) ? t_1 : -(t_1));
 }
 
-vec3 tensor_safe(vec3 tensor) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return vec3(_e2, _e4, _e6);
-}
-
-vec2 principal_curvatures(vec3 tensor_1) {
-    float mean = (0.5 * (tensor_1.x + tensor_1.z));
-    float spread = length(vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+vec2 principal_curvatures(vec3 tensor) {
+    float mean = (0.5 * (tensor.x + tensor.z));
+    float spread = length(vec2((0.5 * (tensor.x - tensor.z)), tensor.y));
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
     return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
 }
 
@@ -285,30 +281,30 @@ vec4 ramp_oklab(float value, Ramp ramp_1) {
 
 float rim(Light light_3, vec3 normal_2, vec3 view_2, float width_1, float softness, float follow) {
     float facing = clamp(dot(normal_2, view_2), 0.0, 1.0);
-    float _e12 = footprint_of(facing);
-    float edge = max((0.5 * softness), min(_e12, 1.0));
+    float _e11 = footprint_of(facing);
+    float edge = max((width_1 * softness), min(_e11, 1.0));
     vec3 aside = (normal_2 - view_2);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (0.5 - facing));
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (width_1 - facing));
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_3.direction - (dot(light_3.direction, view_2) * view_2));
     float side = dot((normal_2 - (dot(normal_2, view_2) * view_2)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-vec2 warped_place(vec3 tensor_2, vec2 place, float amount, float slope_1) {
-    vec2 _e4 = principal_curvatures(tensor_2);
+vec2 warped_place(vec3 tensor_1, vec2 place, float amount, float slope_1) {
+    vec2 _e4 = principal_curvatures(tensor_1);
     float _e7 = curvature_signed(_e4.x, slope_1);
     float _e9 = exp2_stable((-(amount) * _e7));
     float _e12 = curvature_signed(_e4.y, slope_1);
     float _e14 = exp2_stable((-(amount) * _e12));
-    vec2 half_apart = vec2((0.5 * (tensor_2.x - tensor_2.z)), tensor_2.y);
+    vec2 half_apart = vec2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y);
     vec2 axes = (half_apart / vec2(max(length(half_apart), 1e-20)));
     vec2 turned = vec2(((axes.x * place.x) + (axes.y * place.y)), ((axes.y * place.x) - (axes.x * place.y)));
     return (((0.5 * (_e9 + _e14)) * place) + ((0.5 * (_e9 - _e14)) * turned));
 }
 
-vec3 warped_light(vec3 light_4, vec3 n, vec3 view_3, mat3x3 camera_from_world, vec3 tensor_3, float amount_1, float slope_2) {
+vec3 warped_light(vec3 light_4, vec3 n, vec3 view_3, mat3x3 camera_from_world, vec3 tensor_2, float amount_1, float slope_2) {
     vec3 right = (vec3(1.0, 0.0, 0.0) * camera_from_world);
     vec3 _e19 = normalize_moderate((right - (dot(right, view_3) * view_3)), vec3(1.0, 0.0, 0.0));
     vec3 y = cross(view_3, _e19);
@@ -316,31 +312,30 @@ vec3 warped_light(vec3 light_4, vec3 n, vec3 view_3, mat3x3 camera_from_world, v
     vec3 along_x = (_e19 - (dot(n, _e19) * between));
     vec3 along_y = (y - (dot(n, y) * between));
     vec2 place_2 = (vec2(dot(light_4, along_x), dot(light_4, along_y)) / vec2(max((1.0 + dot(light_4, n)), 0.0001)));
-    vec2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
+    vec2 _e45 = warped_place(tensor_2, place_2, amount_1, slope_2);
     float square_2 = dot(_e45, _e45);
     vec3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n)), light_4);
     return _e60;
 }
 
-Light light_warp(Light light_5, vec3 normal_3, float amount_2, float slope_3, vec3 tensor_4, vec3 view_4, mat3x3 camera_from_world_1) {
+Light light_warp(Light light_5, vec3 normal_3, float amount_2, float slope_3, vec3 tensor_3, vec3 view_4, mat3x3 camera_from_world_1) {
     float most = (amount_2 * smoothstep(0.05, 0.3, dot(normal_3, view_4)));
-    vec3 _e13 = tensor_safe(tensor_4);
-    vec3 _e14 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, _e13, most, slope_3);
+    vec3 _e13 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, tensor_3, most, slope_3);
     bool is_flat = ((most == 0.0) || false);
-    return Light((is_flat ? light_5.direction : _e14), light_5.own_direction, light_5.color, light_5.intensity);
+    return Light((is_flat ? light_5.direction : _e13), light_5.own_direction, light_5.color, light_5.intensity);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     Light _e3 = u_look.key;
     mat3x3 _e11 = u_look.camera_from_world;
-    Light _e12 = light_warp(_e3, surface_1.normal, 1.4, 0.03, surface_1.curvature_tensor, surface_1.view, _e11);
-    float through_the_stone = max(((dot(surface_1.normal, _e12.direction) + 0.6) / 1.6), 0.0);
+    Light _e12 = light_warp(_e3, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, _e11);
+    float through_the_stone = max(((dot(surface.normal, _e12.direction) + 0.6) / 1.6), 0.0);
     vec4 _e23 = ramp_oklab(through_the_stone, jade);
-    Reflection _e27 = reflection_of(_e12.direction, surface_1.normal, surface_1.view);
+    Reflection _e27 = reflection_of(_e12.direction, surface.normal, surface.view);
     float _e30 = ggx(_e27, 0.1764, 0.09);
     vec4 _e36 = mix_colors_screen(_e23, vec4(1.0, 0.9569, 0.8627, 1.0), _e30);
     Light _e39 = u_look.back;
-    float _e45 = rim(_e39, surface_1.normal, surface_1.view, 0.5, 0.8, 1.0);
+    float _e45 = rim(_e39, surface.normal, surface.view, 0.5, 0.8, 1.0);
     vec4 _e51 = mix_colors_screen_2_(_e36, vec4(0.1843, 0.5608, 0.7216, 1.0), _e45);
     return _e51;
 }
@@ -348,18 +343,14 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen_balanced(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    vec4 _e27 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    surface.curvature_tensor = _e27.xyz;
-    Surface _e29 = surface;
-    vec4 _e30 = shade(_e29);
-    out_color = _e30;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.xyz);
+    vec4 _e26 = shade(surface_1);
+    out_color = _e26;
     return;
 }
 

@@ -157,6 +157,15 @@ float exp2_stable(float x_1)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
+float exp2_stable_2_(float x_2)
+{
+    float clamped_1 = max(x_2, -126.0);
+    float whole_1 = round(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
 float3 normalize_moderate(float3 v_1, float3 otherwise_1)
 {
     float square_1 = dot(v_1, v_1);
@@ -168,12 +177,12 @@ float3 normalize_seen_balanced(float3 v_2)
     return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
 }
 
-float bounded(float x_2)
+float bounded(float x_3)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_3);
     uint magnitude = (bits & 2147483647u);
     float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float divided(float a, float b)
@@ -185,10 +194,10 @@ float divided(float a, float b)
     return _e7;
 }
 
-float footprint_of(float x_3)
+float footprint_of(float x_4)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float _e1 = ddx(x_4);
+    float _e2 = ddy(x_4);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -254,7 +263,7 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_4)
+RampPlace ramp_place(Ramp ramp, float x_5)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -282,7 +291,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places[min(uint(naga_div(_e16, 4u)), 3u)][min(uint(naga_mod(_e20, 4u)), 3u)];
-        at = ((_e24 <= x_4) ? _e15 : _e14);
+        at = ((_e24 <= x_5) ? _e15 : _e14);
     }
     uint _e30 = at;
     uint after = min((_e30 + 1u), 4u);
@@ -290,7 +299,7 @@ RampPlace ramp_place(Ramp ramp, float x_4)
     uint _e39 = at;
     float place_1 = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
     float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e53 = divided((x_4 - place_1), (_e51 - place_1));
+    const float _e53 = divided((x_5 - place_1), (_e51 - place_1));
     float t = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     float4 _e59 = colors[min(uint(_e57), 15u)];
@@ -309,39 +318,25 @@ float4 mix_colors_screen_2_(float4 a_2, float4 b_2, float factor_1)
     return float4(lerp(a_2.xyz, ((a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz)), factor_1), 1.0);
 }
 
-float kappa_safe(float kappa)
+float curvature_signed(float kappa, float slope)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope)
-{
-    float a_4 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
+    float a_4 = (clamp(kappa, -10000.0, 10000.0) * slope);
     float magnitude_1 = min(abs(a_4), 50.0);
     if ((magnitude_1 < 0.0625)) {
         float a2_ = (a_4 * a_4);
         return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
+    const float _e25 = exp2_stable_2_((-2.88539 * magnitude_1));
+    float t_1 = ((1.0 - _e25) / (1.0 + _e25));
     return ((a_4 >= 0.0) ? t_1 : -(t_1));
 }
 
-float3 tensor_safe(float3 tensor)
+float2 principal_curvatures(float3 tensor)
 {
-    const float _e2 = kappa_safe(tensor.x);
-    const float _e4 = kappa_safe(tensor.y);
-    const float _e6 = kappa_safe(tensor.z);
-    return float3(_e2, _e4, _e6);
-}
-
-float2 principal_curvatures(float3 tensor_1)
-{
-    float mean = (0.5 * (tensor_1.x + tensor_1.z));
-    float spread = length(float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y));
+    float mean = (0.5 * (tensor.x + tensor.z));
+    float spread = length(float2((0.5 * (tensor.x - tensor.z)), tensor.y));
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    const float _e26 = divided(((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y)), far);
+    const float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
     return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
 }
 
@@ -412,31 +407,31 @@ float4 ramp_oklab(float value, Ramp ramp_1)
 float rim(Light light_3, float3 normal_2, float3 view_2, float width_1, float softness, float follow)
 {
     float facing = clamp(dot(normal_2, view_2), 0.0, 1.0);
-    const float _e12 = footprint_of(facing);
-    float edge = max((0.5 * softness), min(_e12, 1.0));
+    const float _e11 = footprint_of(facing);
+    float edge = max((width_1 * softness), min(_e11, 1.0));
     float3 aside = (normal_2 - view_2);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (0.5 - facing));
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (width_1 - facing));
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_3.direction - (dot(light_3.direction, view_2) * view_2));
     float side = dot((normal_2 - (dot(normal_2, view_2) * view_2)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-float2 warped_place(float3 tensor_2, float2 place, float amount, float slope_1)
+float2 warped_place(float3 tensor_1, float2 place, float amount, float slope_1)
 {
-    const float2 _e4 = principal_curvatures(tensor_2);
+    const float2 _e4 = principal_curvatures(tensor_1);
     const float _e7 = curvature_signed(_e4.x, slope_1);
     const float _e9 = exp2_stable((-(amount) * _e7));
     const float _e12 = curvature_signed(_e4.y, slope_1);
     const float _e14 = exp2_stable((-(amount) * _e12));
-    float2 half_apart = float2((0.5 * (tensor_2.x - tensor_2.z)), tensor_2.y);
+    float2 half_apart = float2((0.5 * (tensor_1.x - tensor_1.z)), tensor_1.y);
     float2 axes = (half_apart / (max(length(half_apart), 1e-20)).xx);
     float2 turned = float2(((axes.x * place.x) + (axes.y * place.y)), ((axes.y * place.x) - (axes.x * place.y)));
     return (((0.5 * (_e9 + _e14)) * place) + ((0.5 * (_e9 - _e14)) * turned));
 }
 
-float3 warped_light(float3 light_4, float3 n, float3 view_3, float3x3 camera_from_world, float3 tensor_3, float amount_1, float slope_2)
+float3 warped_light(float3 light_4, float3 n, float3 view_3, float3x3 camera_from_world, float3 tensor_2, float amount_1, float slope_2)
 {
     float3 right = mul(camera_from_world, float3(1.0, 0.0, 0.0));
     const float3 _e19 = normalize_moderate((right - (dot(right, view_3) * view_3)), float3(1.0, 0.0, 0.0));
@@ -445,7 +440,7 @@ float3 warped_light(float3 light_4, float3 n, float3 view_3, float3x3 camera_fro
     float3 along_x = (_e19 - (dot(n, _e19) * between));
     float3 along_y = (y - (dot(n, y) * between));
     float2 place_2 = (float2(dot(light_4, along_x), dot(light_4, along_y)) / (max((1.0 + dot(light_4, n)), 0.0001)).xx);
-    const float2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
+    const float2 _e45 = warped_place(tensor_2, place_2, amount_1, slope_2);
     float square_2 = dot(_e45, _e45);
     const float3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n)), light_4);
     return _e60;
@@ -460,47 +455,56 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
     return ret;
 }
 
-Light light_warp(Light light_5, float3 normal_3, float amount_2, float slope_3, float3 tensor_4, float3 view_4, float3x3 camera_from_world_1)
+Light light_warp(Light light_5, float3 normal_3, float amount_2, float slope_3, float3 tensor_3, float3 view_4, float3x3 camera_from_world_1)
 {
     float most = (amount_2 * smoothstep(0.05, 0.3, dot(normal_3, view_4)));
-    const float3 _e13 = tensor_safe(tensor_4);
-    const float3 _e14 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, _e13, most, slope_3);
+    const float3 _e13 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, tensor_3, most, slope_3);
     bool is_flat = ((most == 0.0) | false);
-    const Light light_6 = ConstructLight((is_flat ? light_5.direction : _e14), light_5.own_direction, light_5.color, light_5.intensity);
+    const Light light_6 = ConstructLight((is_flat ? light_5.direction : _e13), light_5.own_direction, light_5.color, light_5.intensity);
     return light_6;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     Light _e3 = look.key;
     float3x3 _e11 = look.camera_from_world;
-    const Light _e12 = light_warp(_e3, surface_1.normal, 1.4, 0.03, surface_1.curvature_tensor, surface_1.view, _e11);
-    float through_the_stone = max(((dot(surface_1.normal, _e12.direction) + 0.6) / 1.6), 0.0);
+    const Light _e12 = light_warp(_e3, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, _e11);
+    float through_the_stone = max(((dot(surface.normal, _e12.direction) + 0.6) / 1.6), 0.0);
     const float4 _e23 = ramp_oklab(through_the_stone, jade);
-    const Reflection _e27 = reflection_of(_e12.direction, surface_1.normal, surface_1.view);
+    const Reflection _e27 = reflection_of(_e12.direction, surface.normal, surface.view);
     const float _e30 = ggx(_e27, 0.1764, 0.09);
     const float4 _e36 = mix_colors_screen(_e23, float4(1.0, 0.9569, 0.8627, 1.0), _e30);
     Light _e39 = look.back;
-    const float _e45 = rim(_e39, surface_1.normal, surface_1.view, 0.5, 0.8, 1.0);
+    const float _e45 = rim(_e39, surface.normal, surface.view, 0.5, 0.8, 1.0);
     const float4 _e51 = mix_colors_screen_2_(_e36, float4(0.1843, 0.5608, 0.7216, 1.0), _e45);
     return _e51;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_5.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    float3x3 _e19 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e19);
-    Varyings _e22 = out_;
-    const Varyings varyings = _e22;
+    float4x4 _e10 = view_5.clip_from_world;
+    float3x3 _e15 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.curvature_tensor = arg2;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -511,17 +515,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen_balanced(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_5.eye;
-    float _e16 = view_5.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    float4 _e27 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.curvature_tensor = _e27.xyz;
-    Surface _e29 = surface;
-    const float4 _e30 = shade(_e29);
-    return _e30;
+    float4 _e8 = view_5.eye;
+    float _e13 = view_5.eye.w;
+    float4 _e23 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), _e23.xyz);
+    const float4 _e26 = shade(surface_1);
+    return _e26;
 }

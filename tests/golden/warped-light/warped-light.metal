@@ -114,6 +114,16 @@ float exp2_stable(
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+float exp2_stable_2_(
+    float x_2
+) {
+    float clamped_1 = metal::max(x_2, -126.0);
+    float whole_1 = metal::rint(clamped_1);
+    float f_1 = clamped_1 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
 metal::float3 normalize_moderate(
     metal::float3 v_1,
     metal::float3 otherwise_1
@@ -129,12 +139,12 @@ metal::float3 normalize_seen_balanced(
 }
 
 float bounded(
-    float x_2
+    float x_3
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_3);
     uint magnitude = bits & 2147483647u;
     float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 float divided(
@@ -149,10 +159,10 @@ float divided(
 }
 
 float footprint_of(
-    float x_3
+    float x_4
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
+    float _e1 = metal::dfdx(x_4);
+    float _e2 = metal::dfdy(x_4);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -218,7 +228,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 RampPlace ramp_place(
     Ramp ramp,
-    float x_4
+    float x_5
 ) {
     type_6 colors = {};
     type_7 places = {};
@@ -245,7 +255,7 @@ RampPlace ramp_place(
         uint _e16 = i;
         uint _e20 = i;
         float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_4) ? _e15 : _e14;
+        at = (_e24 <= x_5) ? _e15 : _e14;
     }
     uint _e30 = at;
     uint after = metal::min(_e30 + 1u, 4u);
@@ -253,7 +263,7 @@ RampPlace ramp_place(
     uint _e39 = at;
     float place_1 = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
     float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_4 - place_1, _e51 - place_1);
+    float _e53 = divided(x_5 - place_1, _e51 - place_1);
     float t = metal::clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     metal::float4 _e59 = colors.inner[_e57];
@@ -277,44 +287,28 @@ Color mix_colors_screen_2_(
     return metal::float4(metal::mix(a_2.xyz, (a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz), factor_1), 1.0);
 }
 
-float kappa_safe(
-    float kappa
-) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
-}
-
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float a_4 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope;
+    float a_4 = metal::clamp(kappa, -10000.0, 10000.0) * slope;
     float magnitude_1 = metal::min(metal::abs(a_4), 50.0);
     if (magnitude_1 < 0.0625) {
         float a2_ = a_4 * a_4;
         return a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_1 = (1.0 - _e32) / (1.0 + _e32);
+    float _e25 = exp2_stable_2_(-2.88539 * magnitude_1);
+    float t_1 = (1.0 - _e25) / (1.0 + _e25);
     return (a_4 >= 0.0) ? t_1 : -(t_1);
 }
 
-metal::float3 tensor_safe(
+metal::float2 principal_curvatures(
     metal::float3 tensor
 ) {
-    float _e2 = kappa_safe(tensor.x);
-    float _e4 = kappa_safe(tensor.y);
-    float _e6 = kappa_safe(tensor.z);
-    return metal::float3(_e2, _e4, _e6);
-}
-
-metal::float2 principal_curvatures(
-    metal::float3 tensor_1
-) {
-    float mean = 0.5 * (tensor_1.x + tensor_1.z);
-    float spread = metal::length(metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y));
+    float mean = 0.5 * (tensor.x + tensor.z);
+    float spread = metal::length(metal::float2(0.5 * (tensor.x - tensor.z), tensor.y));
     float far = mean + ((mean >= 0.0) ? spread : -(spread));
-    float _e26 = divided((tensor_1.x * tensor_1.z) - (tensor_1.y * tensor_1.y), far);
+    float _e26 = divided((tensor.x * tensor.z) - (tensor.y * tensor.y), far);
     return (mean >= 0.0) ? metal::float2(far, _e26) : metal::float2(_e26, far);
 }
 
@@ -395,29 +389,29 @@ float rim(
     float follow
 ) {
     float facing = metal::clamp(metal::dot(normal_2, view_2), 0.0, 1.0);
-    float _e12 = footprint_of(facing);
-    float edge = metal::max(0.5 * softness, metal::min(_e12, 1.0));
+    float _e11 = footprint_of(facing);
+    float edge = metal::max(width_1 * softness, metal::min(_e11, 1.0));
     metal::float3 aside = normal_2 - view_2;
-    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - 0.5) : (0.5 - facing);
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - 0.5) : (width_1 - facing);
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_3.direction - (metal::dot(light_3.direction, view_2) * view_2);
     float side = metal::dot(normal_2 - (metal::dot(normal_2, view_2) * view_2), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
 metal::float2 warped_place(
-    metal::float3 tensor_2,
+    metal::float3 tensor_1,
     metal::float2 place,
     float amount,
     float slope_1
 ) {
-    metal::float2 _e4 = principal_curvatures(tensor_2);
+    metal::float2 _e4 = principal_curvatures(tensor_1);
     float _e7 = curvature_signed(_e4.x, slope_1);
     float _e9 = exp2_stable(-(amount) * _e7);
     float _e12 = curvature_signed(_e4.y, slope_1);
     float _e14 = exp2_stable(-(amount) * _e12);
-    metal::float2 half_apart = metal::float2(0.5 * (tensor_2.x - tensor_2.z), tensor_2.y);
+    metal::float2 half_apart = metal::float2(0.5 * (tensor_1.x - tensor_1.z), tensor_1.y);
     metal::float2 axes = half_apart / metal::float2(metal::max(metal::length(half_apart), 0.00000000000000000001));
     metal::float2 turned = metal::float2((axes.x * place.x) + (axes.y * place.y), (axes.y * place.x) - (axes.x * place.y));
     return ((0.5 * (_e9 + _e14)) * place) + ((0.5 * (_e9 - _e14)) * turned);
@@ -428,7 +422,7 @@ metal::float3 warped_light(
     metal::float3 n,
     metal::float3 view_3,
     metal::float3x3 camera_from_world,
-    metal::float3 tensor_3,
+    metal::float3 tensor_2,
     float amount_1,
     float slope_2
 ) {
@@ -439,7 +433,7 @@ metal::float3 warped_light(
     metal::float3 along_x = _e19 - (metal::dot(n, _e19) * between);
     metal::float3 along_y = y - (metal::dot(n, y) * between);
     metal::float2 place_2 = metal::float2(metal::dot(light_4, along_x), metal::dot(light_4, along_y)) / metal::float2(metal::max(1.0 + metal::dot(light_4, n), 0.0001));
-    metal::float2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
+    metal::float2 _e45 = warped_place(tensor_2, place_2, amount_1, slope_2);
     float square_2 = metal::dot(_e45, _e45);
     metal::float3 _e60 = normalize_or((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n), light_4);
     return _e60;
@@ -450,31 +444,30 @@ Light light_warp(
     metal::float3 normal_3,
     float amount_2,
     float slope_3,
-    metal::float3 tensor_4,
+    metal::float3 tensor_3,
     metal::float3 view_4,
     metal::float3x3 camera_from_world_1
 ) {
     float most = amount_2 * metal::smoothstep(0.05, 0.3, metal::dot(normal_3, view_4));
-    metal::float3 _e13 = tensor_safe(tensor_4);
-    metal::float3 _e14 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, _e13, most, slope_3);
+    metal::float3 _e13 = warped_light(light_5.direction, normal_3, view_4, camera_from_world_1, tensor_3, most, slope_3);
     bool is_flat = (most == 0.0) | false;
-    return Light {is_flat ? light_5.direction : _e14, light_5.own_direction, light_5.color, light_5.intensity};
+    return Light {is_flat ? light_5.direction : _e13, light_5.own_direction, light_5.color, light_5.intensity};
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     Light _e3 = look.key;
     metal::float3x3 _e11 = look.camera_from_world;
-    Light _e12 = light_warp(_e3, surface_1.normal, 1.4, 0.03, surface_1.curvature_tensor, surface_1.view, _e11);
-    float through_the_stone = metal::max((metal::dot(surface_1.normal, _e12.direction) + 0.6) / 1.6, 0.0);
+    Light _e12 = light_warp(_e3, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, _e11);
+    float through_the_stone = metal::max((metal::dot(surface.normal, _e12.direction) + 0.6) / 1.6, 0.0);
     Color _e23 = ramp_oklab(through_the_stone, jade);
-    Reflection _e27 = reflection_of(_e12.direction, surface_1.normal, surface_1.view);
+    Reflection _e27 = reflection_of(_e12.direction, surface.normal, surface.view);
     float _e30 = ggx(_e27, 0.1764, 0.09);
     Color _e36 = mix_colors_screen(_e23, metal::float4(1.0, 0.9569, 0.8627, 1.0), _e30);
     Light _e39 = look.back;
-    float _e45 = rim(_e39, surface_1.normal, surface_1.view, 0.5, 0.8, 1.0);
+    float _e45 = rim(_e39, surface.normal, surface.view, 0.5, 0.8, 1.0);
     Color _e51 = mix_colors_screen_2_(_e36, metal::float4(0.1843, 0.5608, 0.7216, 1.0), _e45);
     return _e51;
 }
@@ -494,16 +487,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_4 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_5.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    metal::float3x3 _e19 = object.world_from_normal;
-    out.normal = _e19 * vertex_.normal;
-    Varyings _e22 = out;
-    const auto _tmp = _e22;
+    metal::float4x4 _e10 = view_5.clip_from_world;
+    metal::float3x3 _e15 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -528,16 +516,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen_balanced(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_4;
-    metal::float4 _e11 = view_5.eye;
-    float _e16 = view_5.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    metal::float4 _e27 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.curvature_tensor = _e27.xyz;
-    Surface _e29 = surface;
-    metal::float4 _e30 = shade(_e29, look);
-    return fs_mainOutput { _e30 };
+    metal::float4 _e8 = view_5.eye;
+    float _e13 = view_5.eye.w;
+    metal::float4 _e23 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.xyz};
+    metal::float4 _e26 = shade(surface_1, look);
+    return fs_mainOutput { _e26 };
 }

@@ -62,6 +62,7 @@ struct Varyings {
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
+const float MOST_ON_SCREEN = 1000000000000000.0;
 const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0), vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0), vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -106,28 +107,20 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    uvec2 bits_2 = floatBitsToUint(v_3);
-    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
-    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
-    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_2 = floatBitsToUint(v_3);
+    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
+    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_3 = floatBitsToUint(v_4);
-    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec3(2139095040u)));
-}
-
-vec4 bounded_vec4_(vec4 v_5) {
-    uvec4 bits_4 = floatBitsToUint(v_5);
-    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
-    vec4 largest_3 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_2 = mix(vec4(0.0), largest_3, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_5, lessThan(magnitude_3, uvec4(2139095040u)));
+vec4 bounded_vec4_(vec4 v_4) {
+    uvec4 bits_3 = floatBitsToUint(v_4);
+    uvec4 magnitude_2 = (bits_3 & uvec4(2147483647u));
+    vec4 largest_2 = uintBitsToFloat(((bits_3 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers_1 = mix(vec4(0.0), largest_2, equal(magnitude_2, uvec4(2139095040u)));
+    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -158,8 +151,8 @@ vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
 
 float eased(float x_2, float low, float high) {
     float _e3 = bounded(x_2);
-    float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_5 = clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_5 = clamp(_e7, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
@@ -175,9 +168,9 @@ float footprint_of(float x_4) {
     return sqrt(dot(d_2, d_2));
 }
 
-float footprint_of_vec3_(vec3 v_6) {
-    vec3 dx = dFdx(v_6);
-    vec3 dy = dFdy(v_6);
+float footprint_of_vec3_(vec3 v_5) {
+    vec3 dx = dFdx(v_5);
+    vec3 dy = dFdy(v_5);
     float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -311,36 +304,36 @@ vec4 mix_colors_multiply_2_(vec4 a_7, vec4 b_6, float factor_2) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_7 = uvec3(0u);
-    v_7 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_7;
-    uvec3 _e32 = v_7;
-    v_7 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_7;
+    uvec3 v_6 = uvec3(0u);
+    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_6;
+    uvec3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_6;
     return _e61;
 }
 
@@ -437,8 +430,8 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            int _e67 = i_2;
-            i_2 = (_e67 + 1);
+            int _e66 = i_2;
+            i_2 = (_e66 + 1);
         }
         loop_init_3 = false;
         int _e17 = i_2;
@@ -465,12 +458,12 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_2;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_2;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float fractal_noise_2_(uint kind_1, vec3 p_3, int octaves_1, float roughness_1, int seed_5, float w_2) {
@@ -521,19 +514,16 @@ float fractal_noise_2_(uint kind_1, vec3 p_3, int octaves_1, float roughness_1, 
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    vec3 _e12 = bounded_vec3_(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 _e2 = bounded_vec2_(pixel);
-    vec2 from_middle = (_e2 - (0.5 * viewport));
+    vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
@@ -541,19 +531,15 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
     vec3 x_6 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 _e17 = bounded_vec2_(place);
-    vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     vec3 stretch_3 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    vec2 _e37 = bounded_vec2_(turned);
-    return StretchedPlace(_e37, stretch_3);
+    return StretchedPlace(turned, stretch_3);
 }
 
 SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_4 = (is_pixel ? (240.0 / max(viewport_1.y, 1.0)) : 240.0);
-    vec2 _e17 = bounded_vec2_(place_1);
-    vec2 _e19 = bounded_vec2_((_e17 * scale_4));
-    vec2 p_4 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    float scale_4 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    vec2 p_4 = clamp((place_1 * scale_4), vec2(-4194304.0), vec2(4194304.0));
     return SpacedPlace(p_4, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
@@ -563,13 +549,11 @@ float area_square(vec3 stretch_1) {
 }
 
 MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
-    float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_2);
-    vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_7 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
+    vec2 place_7 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace _e26 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e26.place, _e26.stretch);
 }
 
 float paper_octave(vec2 place_2, int zoom, float w_3, float fiber, uint seed_6) {
@@ -637,15 +621,15 @@ float noise_perlin_2_(vec3 position_1, float scale_3, int octaves_3, float rough
     return _e8;
 }
 
-vec4 shade(Surface surface_1) {
-    float _e6 = noise_perlin(surface_1.position_object, 1.5, 2, 0.5, 11);
+vec4 shade(Surface surface) {
+    float _e6 = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
     float spread = clamp(((_e6 - 0.32) / 0.36), 0.0, 1.0);
     float _e15 = footprint_of(spread);
     vec4 _e16 = ramp_at(two_pigments, spread, _e15);
     vec3 _e21 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e21) + 0.45) / 1.45), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e21) + 0.45) / 1.45), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.85), 1.0);
-    float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, 4, 0.55, 0);
+    float _e40 = noise_perlin_2_(surface.position_object, 2.2, 4, 0.55, 0);
     float how_far_it_runs = mix(-0.24, 0.24, (_e40 - 0.0));
     float wet_tone = (tone + how_far_it_runs);
     float _e49 = eased_2_(wet_tone, 0.82, 0.7);
@@ -658,22 +642,19 @@ vec4 shade(Surface surface_1) {
     vec3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));
     vec3 _e76 = mixed_vec3_(_e71, _e75, k2_);
     vec4 second_on_the_first = vec4(_e76, 1.0);
-    float rim1a = smoothstep(0.66, 0.72, wet_tone);
-    float pigment_s_rim = (rim1a * _e49);
-    float rim2a = smoothstep(0.29, 0.34, wet_tone);
-    float second_rim = (rim2a * _e67);
-    float rims = max(pigment_s_rim, second_rim);
-    float k3_ = (rims * 0.34);
+    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * _e49);
+    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * _e67);
+    float k3_ = (max(pigment_s_rim, second_rim) * 0.34);
     vec4 _e93 = color_mixed(second_on_the_first, (second_on_the_first.xyz * _e64.xyz), k3_);
     vec2 _e99 = u_look.viewport;
-    MarkPlace _e100 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e99);
+    MarkPlace _e100 = mark_place_object(0.0, surface.anchor, surface.pixel, _e99);
     vec2 _e110 = u_look.viewport;
     PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, 0, _e110);
     float _e113 = bounded(_e111.tone);
     float settled_pigment = mix(0.9, 1.03, (_e113 - 0.0));
     vec4 _e123 = bounded_vec4_((_e93 * vec4(vec3(settled_pigment), 1.0)));
     vec2 _e129 = u_look.viewport;
-    float _e130 = outer_contour(2.2, surface_1.normal, surface_1.view, _e129);
+    float _e130 = outer_contour(2.2, surface.normal, surface.view, _e129);
     float soft = (_e130 * 0.7);
     vec4 _e133 = bounded_vec4_(_e123);
     vec4 _e139 = mixed_vec4_(_e133, vec4(0.2902, 0.2588, 0.2824, 1.0), soft);
@@ -684,29 +665,23 @@ vec4 shade(Surface surface_1) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_1;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e23 = u_view.screen;
     vec4 _e28 = u_view.screen;
-    vec4 _e33 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e28.xy) + _e33.zw);
-    mat4x4 _e39 = u_view.camera_from_world;
-    vec4 _e43 = u_object.world_from_object[3];
-    float _e52 = u_view.eye.w;
-    float _e57 = u_view.clip_from_world[0][1];
-    float _e62 = u_view.clip_from_world[1][1];
-    float _e67 = u_view.clip_from_world[2][1];
-    vec3 _e70 = anchor_on_screen((_e39 * vec4(_e43.xyz, 1.0)).xyz, _e52, length(vec3(_e57, _e62, _e67)));
-    surface.anchor = _e70;
-    Surface _e71 = surface;
-    vec4 _e72 = shade(_e71);
-    vec4 _e73 = finite_vec4_(_e72);
-    out_color = _e73;
+    mat4x4 _e33 = u_view.camera_from_world;
+    vec4 _e37 = u_object.world_from_object[3];
+    float _e46 = u_view.eye.w;
+    float _e51 = u_view.clip_from_world[0][1];
+    float _e56 = u_view.clip_from_world[1][1];
+    float _e61 = u_view.clip_from_world[2][1];
+    vec3 _e64 = anchor_on_screen((_e33 * vec4(_e37.xyz, 1.0)).xyz, _e46, length(vec3(_e51, _e56, _e61)));
+    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, ((in_.clip.xy * _e23.xy) + _e28.zw), _e64);
+    vec4 _e66 = shade(surface_1);
+    vec4 _e67 = finite_vec4_(_e66);
+    out_color = _e67;
     return;
 }
 

@@ -124,6 +124,7 @@ Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
+static const float MOST_ON_SCREEN = 1000000000000000.0;
 static const Ramp two_pigments = ConstructRamp(Constructarray16_float4_(float4(0.1843, 0.4353, 0.5608, 1.0), float4(0.2471, 0.6039, 0.5255, 1.0), float4(0.7882, 0.6353, 0.2353, 1.0), float4(0.8471, 0.451, 0.3529, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.45, 0.75, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), 4u, 1u);
 
 cbuffer view_1 : register(b0) { View view_1; }
@@ -181,31 +182,22 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float3 bounded_vec3_(float3 v_3)
 {
-    uint2 bits_2 = asuint(v_3);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
+    uint3 bits_2 = asuint(v_3);
+    uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
+    float3 largest_1 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_1 : (0.0).xxx);
+    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_4)
+float4 bounded_vec4_(float4 v_4)
 {
-    uint3 bits_3 = asuint(v_4);
-    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
-}
-
-float4 bounded_vec4_(float4 v_5)
-{
-    uint4 bits_4 = asuint(v_5);
-    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
-    float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
+    uint4 bits_3 = asuint(v_4);
+    uint4 magnitude_2 = (bits_3 & (2147483647u).xxxx);
+    float4 largest_2 = asfloat(((bits_3 & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers_1 = ((magnitude_2 == (2139095040u).xxxx) ? largest_2 : (0.0).xxxx);
+    return ((magnitude_2 < (2139095040u).xxxx) ? v_4 : numbers_1);
 }
 
 float divided(float a, float b)
@@ -241,8 +233,8 @@ float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
 float eased(float x_2, float low, float high)
 {
     const float _e3 = bounded(x_2);
-    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
-    float t_5 = clamp(_e8, 0.0, 1.0);
+    const float _e7 = bounded(((_e3 - low) / 0.5));
+    float t_5 = clamp(_e7, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
@@ -260,10 +252,10 @@ float footprint_of(float x_4)
     return sqrt(dot(d_2, d_2));
 }
 
-float footprint_of_vec3_(float3 v_6)
+float footprint_of_vec3_(float3 v_5)
 {
-    float3 dx = ddx(v_6);
-    float3 dy = ddy(v_6);
+    float3 dx = ddx(v_5);
+    float3 dy = ddy(v_5);
     const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
     return _e7;
 }
@@ -417,37 +409,37 @@ float4 mix_colors_multiply_2_(float4 a_7, float4 b_6, float factor_2)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_7 = (uint3)0;
+    uint3 v_6 = (uint3)0;
 
-    v_7 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_7;
-    uint3 _e32 = v_7;
-    v_7 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_7;
+    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_6;
+    uint3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_6;
     return _e61;
 }
 
@@ -566,8 +558,8 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e67 = i_2;
-            i_2 = asint(asuint(_e67) + asuint(int(1)));
+            int _e66 = i_2;
+            i_2 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_3 = false;
         int _e17 = i_2;
@@ -594,12 +586,12 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
         float _e59 = strength;
         total = (_e58 + _e59);
         float _e61 = strength;
-        strength = (_e61 * 0.5);
-        float _e64 = frequency;
-        frequency = (_e64 * 2.0);
+        strength = (_e61 * roughness);
+        float _e63 = frequency;
+        frequency = (_e63 * 2.0);
     }
-    float _e70 = sum_2;
-    return min((_e70 / 1.5), 1.0);
+    float _e69 = sum_2;
+    return min((_e69 / 1.5), 1.0);
 }
 
 float fractal_noise_2_(uint kind_1, float3 p_3, int octaves_1, float roughness_1, int seed_5, float w_2)
@@ -656,21 +648,18 @@ float fractal_noise_2_(uint kind_1, float3 p_3, int octaves_1, float roughness_1
 
 float size_on_screen(float depth, float perspective, float scale)
 {
-    const float _e10 = bounded(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 float3 anchor_on_screen(float3 origin, float perspective_1, float scale_1)
 {
     const float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    const float3 _e12 = bounded_vec3_(float3((origin.x * _e5), (-(origin.y) * _e5), _e5));
-    return _e12;
+    return clamp(float3((origin.x * _e5), (-(origin.y) * _e5), _e5), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
 }
 
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    const float2 _e2 = bounded_vec2_(pixel);
-    float2 from_middle = (_e2 - (0.5 * viewport));
+    float2 from_middle = (pixel - (0.5 * viewport));
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
@@ -686,11 +675,9 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     float2 turn = float2(0.0, 1.0);
     float3 x_6 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
-    const float2 _e17 = bounded_vec2_(place);
-    float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     float3 stretch_3 = float3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    const float2 _e37 = bounded_vec2_(turned);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_3);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch_3);
     return stretchedplace;
 }
 
@@ -704,10 +691,8 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_4 = (is_pixel ? (240.0 / max(viewport_1.y, 1.0)) : 240.0);
-    const float2 _e17 = bounded_vec2_(place_1);
-    const float2 _e19 = bounded_vec2_((_e17 * scale_4));
-    float2 p_4 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    float scale_4 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
+    float2 p_4 = clamp((place_1 * scale_4), (-4194304.0).xx, (4194304.0).xx);
     const SpacedPlace spacedplace = ConstructSpacedPlace(p_4, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
@@ -727,13 +712,11 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 
 MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
 {
-    const float _e5 = bounded(anchor.z);
-    float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_2);
-    const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_7 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    const float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    float2 place_7 = ((_e8 - float2(anchor.x, -(anchor.y))) / (size).xx);
+    const StretchedPlace _e26 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e26.place, _e26.stretch);
     return markplace;
 }
 
@@ -821,16 +804,16 @@ float noise_perlin_2_(float3 position_1, float scale_3, int octaves_3, float rou
     return _e8;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
-    const float _e6 = noise_perlin(surface_1.position_object, 1.5, int(2), 0.5, int(11));
+    const float _e6 = noise_perlin(surface.position_object, 1.5, int(2), 0.5, int(11));
     float spread = clamp(((_e6 - 0.32) / 0.36), 0.0, 1.0);
     const float _e15 = footprint_of(spread);
     const float4 _e16 = ramp_at(two_pigments, spread, _e15);
     float3 _e21 = look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e21) + 0.45) / 1.45), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e21) + 0.45) / 1.45), 0.0);
     float tone = min(((shade_2_ - 0.0) / 0.85), 1.0);
-    const float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, int(4), 0.55, int(0));
+    const float _e40 = noise_perlin_2_(surface.position_object, 2.2, int(4), 0.55, int(0));
     float how_far_it_runs = lerp(-0.24, 0.24, (_e40 - 0.0));
     float wet_tone = (tone + how_far_it_runs);
     const float _e49 = eased_2_(wet_tone, 0.82, 0.7);
@@ -843,22 +826,19 @@ float4 shade(Surface surface_1)
     const float3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));
     const float3 _e76 = mixed_vec3_(_e71, _e75, k2_);
     float4 second_on_the_first = float4(_e76, 1.0);
-    float rim1a = smoothstep(0.66, 0.72, wet_tone);
-    float pigment_s_rim = (rim1a * _e49);
-    float rim2a = smoothstep(0.29, 0.34, wet_tone);
-    float second_rim = (rim2a * _e67);
-    float rims = max(pigment_s_rim, second_rim);
-    float k3_ = (rims * 0.34);
+    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * _e49);
+    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * _e67);
+    float k3_ = (max(pigment_s_rim, second_rim) * 0.34);
     const float4 _e93 = color_mixed(second_on_the_first, (second_on_the_first.xyz * _e64.xyz), k3_);
     float2 _e99 = look.viewport;
-    const MarkPlace _e100 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e99);
+    const MarkPlace _e100 = mark_place_object(0.0, surface.anchor, surface.pixel, _e99);
     float2 _e110 = look.viewport;
     const PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, int(0), _e110);
     const float _e113 = bounded(_e111.tone);
     float settled_pigment = lerp(0.9, 1.03, (_e113 - 0.0));
     const float4 _e123 = bounded_vec4_((_e93 * float4((settled_pigment).xxx, 1.0)));
     float2 _e129 = look.viewport;
-    const float _e130 = outer_contour(2.2, surface_1.normal, surface_1.view, _e129);
+    const float _e130 = outer_contour(2.2, surface.normal, surface.view, _e129);
     float soft = (_e130 * 0.7);
     const float4 _e133 = bounded_vec4_(_e123);
     const float4 _e139 = mixed_vec4_(_e133, float4(0.2902, 0.2588, 0.2824, 1.0), soft);
@@ -866,50 +846,55 @@ float4 shade(Surface surface_1)
     return _e140;
 }
 
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
+}
+
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_1.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float2 arg3, float3 arg4) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.pixel = arg3;
+    ret.anchor = arg4;
+    return ret;
 }
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_3 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_3;
-    float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
+    float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    float4 _e23 = view_1.screen;
     float4 _e28 = view_1.screen;
-    float4 _e33 = view_1.screen;
-    surface.pixel = ((in_.clip_.xy * _e28.xy) + _e33.zw);
-    float4x4 _e39 = view_1.camera_from_world;
-    float4 _e43 = object.world_from_object[3];
-    float _e52 = view_1.eye.w;
-    float _e57 = view_1.clip_from_world[0].y;
-    float _e62 = view_1.clip_from_world[1].y;
-    float _e67 = view_1.clip_from_world[2].y;
-    const float3 _e70 = anchor_on_screen(mul(float4(_e43.xyz, 1.0), _e39).xyz, _e52, length(float3(_e57, _e62, _e67)));
-    surface.anchor = _e70;
-    Surface _e71 = surface;
-    const float4 _e72 = shade(_e71);
-    const float4 _e73 = finite_vec4_(_e72);
-    return _e73;
+    float4x4 _e33 = view_1.camera_from_world;
+    float4 _e37 = object.world_from_object[3];
+    float _e46 = view_1.eye.w;
+    float _e51 = view_1.clip_from_world[0].y;
+    float _e56 = view_1.clip_from_world[1].y;
+    float _e61 = view_1.clip_from_world[2].y;
+    const float3 _e64 = anchor_on_screen(mul(float4(_e37.xyz, 1.0), _e33).xyz, _e46, length(float3(_e51, _e56, _e61)));
+    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, ((in_.clip_.xy * _e23.xy) + _e28.zw), _e64);
+    const float4 _e66 = shade(surface_1);
+    const float4 _e67 = finite_vec4_(_e66);
+    return _e67;
 }

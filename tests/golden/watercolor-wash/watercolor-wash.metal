@@ -87,6 +87,7 @@ struct Varyings {
 };
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
+constant float MOST_ON_SCREEN = 1000000000000000.0;
 constant Ramp two_pigments = Ramp {type_6 {{metal::float4(0.1843, 0.4353, 0.5608, 1.0), metal::float4(0.2471, 0.6039, 0.5255, 1.0), metal::float4(0.7882, 0.6353, 0.2353, 1.0), metal::float4(0.8471, 0.451, 0.3529, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.45, 0.75, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
 
 metal::float4 finite_vec4_(
@@ -131,34 +132,24 @@ float bounded(
     return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float2 bounded_vec2_(
-    metal::float2 v_3
-) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
-    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
-    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
-}
-
 metal::float3 bounded_vec3_(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_4);
-    metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint3(2139095040u));
+    metal::uint3 bits_2 = as_type<metal::uint3>(v_3);
+    metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
+    metal::float3 largest_1 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest_1, magnitude_1 == metal::uint3(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
 }
 
 metal::float4 bounded_vec4_(
-    metal::float4 v_5
+    metal::float4 v_4
 ) {
-    metal::uint4 bits_4 = as_type<metal::uint4>(v_5);
-    metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
-    metal::float4 largest_3 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_3, magnitude_3 == metal::uint4(2139095040u));
-    return metal::select(numbers_2, v_5, magnitude_3 < metal::uint4(2139095040u));
+    metal::uint4 bits_3 = as_type<metal::uint4>(v_4);
+    metal::uint4 magnitude_2 = bits_3 & metal::uint4(2147483647u);
+    metal::float4 largest_2 = as_type<metal::float4>((bits_3 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers_1 = metal::select(metal::float4(0.0), largest_2, magnitude_2 == metal::uint4(2139095040u));
+    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -208,8 +199,8 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_2);
-    float _e8 = bounded((_e3 - 0.5) / 0.5);
-    float t_5 = metal::clamp(_e8, 0.0, 1.0);
+    float _e7 = bounded((_e3 - low) / 0.5);
+    float t_5 = metal::clamp(_e7, 0.0, 1.0);
     return (t_5 * t_5) * (3.0 - (2.0 * t_5));
 }
 
@@ -232,10 +223,10 @@ float footprint_of(
 }
 
 float footprint_of_vec3_(
-    metal::float3 v_6
+    metal::float3 v_5
 ) {
-    metal::float3 dx = metal::dfdx(v_6);
-    metal::float3 dy = metal::dfdy(v_6);
+    metal::float3 dx = metal::dfdx(v_5);
+    metal::float3 dy = metal::dfdy(v_5);
     float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
     return _e7;
 }
@@ -414,36 +405,36 @@ Color mix_colors_multiply_2_(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_7 = {};
-    v_7 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_7;
-    metal::uint3 _e32 = v_7;
-    v_7 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_7;
+    metal::uint3 v_6 = {};
+    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_6;
+    metal::uint3 _e32 = v_6;
+    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_6;
     return _e61;
 }
 
@@ -574,8 +565,8 @@ float fractal_noise(
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e67 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e66 = i_2;
+            i_2 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_3 = false;
         int _e17 = i_2;
@@ -602,12 +593,12 @@ float fractal_noise(
         float _e59 = strength;
         total = _e58 + _e59;
         float _e61 = strength;
-        strength = _e61 * 0.5;
-        float _e64 = frequency;
-        frequency = _e64 * 2.0;
+        strength = _e61 * roughness;
+        float _e63 = frequency;
+        frequency = _e63 * 2.0;
     }
-    float _e70 = sum_2;
-    return metal::min(_e70 / 1.5, 1.0);
+    float _e69 = sum_2;
+    return metal::min(_e69 / 1.5, 1.0);
 }
 
 float fractal_noise_2_(
@@ -672,8 +663,7 @@ float size_on_screen(
     float perspective,
     float scale
 ) {
-    float _e10 = bounded((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective));
-    return _e10;
+    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
 metal::float3 anchor_on_screen(
@@ -682,16 +672,14 @@ metal::float3 anchor_on_screen(
     float scale_1
 ) {
     float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    metal::float3 _e12 = bounded_vec3_(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5));
-    return _e12;
+    return metal::clamp(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 _e2 = bounded_vec2_(pixel);
-    metal::float2 from_middle = _e2 - (0.5 * viewport);
+    metal::float2 from_middle = pixel - (0.5 * viewport);
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
@@ -704,11 +692,9 @@ StretchedPlace mark_place_of(
     metal::float2 turn = metal::float2(0.0, 1.0);
     metal::float3 x_6 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
+    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
     metal::float3 stretch_3 = metal::float3(metal::dot(x_6, x_6), metal::dot(x_6, y), metal::dot(y, y));
-    metal::float2 _e37 = bounded_vec2_(turned);
-    return StretchedPlace {_e37, {}, stretch_3};
+    return StretchedPlace {turned, {}, stretch_3};
 }
 
 SpacedPlace spaced(
@@ -718,10 +704,8 @@ SpacedPlace spaced(
     float count
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_4 = is_pixel ? (240.0 / metal::max(viewport_1.y, 1.0)) : 240.0;
-    metal::float2 _e17 = bounded_vec2_(place_1);
-    metal::float2 _e19 = bounded_vec2_(_e17 * scale_4);
-    metal::float2 p_4 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    float scale_4 = is_pixel ? (count / metal::max(viewport_1.y, 1.0)) : count;
+    metal::float2 p_4 = metal::clamp(place_1 * scale_4, metal::float2(-4194304.0), metal::float2(4194304.0));
     return SpacedPlace {p_4, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -738,13 +722,11 @@ MarkPlace mark_place_object(
     metal::float2 pixel_1,
     metal::float2 viewport_2
 ) {
-    float _e5 = bounded(anchor.z);
-    float size = metal::clamp(_e5, 0.000001, 1000000.0);
-    metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
-    metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_7 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
+    float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
+    metal::float2 _e8 = place_in_picture(pixel_1, viewport_2);
+    metal::float2 place_7 = (_e8 - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
+    StretchedPlace _e26 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e26.place, {}, _e26.stretch};
 }
 
 float paper_octave(
@@ -853,17 +835,17 @@ float noise_perlin_2_(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
-    float _e6 = noise_perlin(surface_1.position_object, 1.5, 2, 0.5, 11);
+    float _e6 = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
     float spread = metal::clamp((_e6 - 0.32) / 0.36, 0.0, 1.0);
     float _e15 = footprint_of(spread);
     Color _e16 = ramp_at(two_pigments, spread, _e15);
     metal::float3 _e21 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface_1.normal, _e21) + 0.45) / 1.45, 0.0);
+    float shade_2_ = metal::max((metal::dot(surface.normal, _e21) + 0.45) / 1.45, 0.0);
     float tone = metal::min((shade_2_ - 0.0) / 0.85, 1.0);
-    float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, 4, 0.55, 0);
+    float _e40 = noise_perlin_2_(surface.position_object, 2.2, 4, 0.55, 0);
     float how_far_it_runs = metal::mix(-0.24, 0.24, _e40 - 0.0);
     float wet_tone = tone + how_far_it_runs;
     float _e49 = eased_2_(wet_tone, 0.82, 0.7);
@@ -876,22 +858,19 @@ metal::float4 shade(
     metal::float3 _e75 = bounded_vec3_(_e57.xyz * _e64.xyz);
     metal::float3 _e76 = mixed_vec3_(_e71, _e75, k2_);
     metal::float4 second_on_the_first = metal::float4(_e76, 1.0);
-    float rim1a = metal::smoothstep(0.66, 0.72, wet_tone);
-    float pigment_s_rim = rim1a * _e49;
-    float rim2a = metal::smoothstep(0.29, 0.34, wet_tone);
-    float second_rim = rim2a * _e67;
-    float rims = metal::max(pigment_s_rim, second_rim);
-    float k3_ = rims * 0.34;
+    float pigment_s_rim = metal::smoothstep(0.66, 0.72, wet_tone) * _e49;
+    float second_rim = metal::smoothstep(0.29, 0.34, wet_tone) * _e67;
+    float k3_ = metal::max(pigment_s_rim, second_rim) * 0.34;
     metal::float4 _e93 = color_mixed(second_on_the_first, second_on_the_first.xyz * _e64.xyz, k3_);
     metal::float2 _e99 = look.viewport;
-    MarkPlace _e100 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e99);
+    MarkPlace _e100 = mark_place_object(0.0, surface.anchor, surface.pixel, _e99);
     metal::float2 _e110 = look.viewport;
     PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, 0, _e110);
     float _e113 = bounded(_e111.tone);
     float settled_pigment = metal::mix(0.9, 1.03, _e113 - 0.0);
     metal::float4 _e123 = bounded_vec4_(_e93 * metal::float4(metal::float3(settled_pigment), 1.0));
     metal::float2 _e129 = look.viewport;
-    float _e130 = outer_contour(2.2, surface_1.normal, surface_1.view, _e129);
+    float _e130 = outer_contour(2.2, surface.normal, surface.view, _e129);
     float soft = _e130 * 0.7;
     metal::float4 _e133 = bounded_vec4_(_e123);
     metal::float4 _e139 = mixed_vec4_(_e133, metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
@@ -915,17 +894,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_1.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_1.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -947,27 +920,21 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_1;
-    metal::float4 _e11 = view_1.eye;
-    float _e16 = view_1.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
+    metal::float4 _e8 = view_1.eye;
+    float _e13 = view_1.eye.w;
+    metal::float4 _e23 = view_1.screen;
     metal::float4 _e28 = view_1.screen;
-    metal::float4 _e33 = view_1.screen;
-    surface.pixel = (in.clip.xy * _e28.xy) + _e33.zw;
-    metal::float4x4 _e39 = view_1.camera_from_world;
-    metal::float4 _e43 = object.world_from_object[3];
-    float _e52 = view_1.eye.w;
-    float _e57 = view_1.clip_from_world[0].y;
-    float _e62 = view_1.clip_from_world[1].y;
-    float _e67 = view_1.clip_from_world[2].y;
-    metal::float3 _e70 = anchor_on_screen((_e39 * metal::float4(_e43.xyz, 1.0)).xyz, _e52, metal::length(metal::float3(_e57, _e62, _e67)));
-    surface.anchor = _e70;
-    Surface _e71 = surface;
-    metal::float4 _e72 = shade(_e71, look);
-    metal::float4 _e73 = finite_vec4_(_e72);
-    return fs_mainOutput { _e73 };
+    metal::float4x4 _e33 = view_1.camera_from_world;
+    metal::float4 _e37 = object.world_from_object[3];
+    float _e46 = view_1.eye.w;
+    float _e51 = view_1.clip_from_world[0].y;
+    float _e56 = view_1.clip_from_world[1].y;
+    float _e61 = view_1.clip_from_world[2].y;
+    metal::float3 _e64 = anchor_on_screen((_e33 * metal::float4(_e37.xyz, 1.0)).xyz, _e46, metal::length(metal::float3(_e51, _e56, _e61)));
+    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, (in.clip.xy * _e23.xy) + _e28.zw, {}, _e64};
+    metal::float4 _e66 = shade(surface_1, look);
+    metal::float4 _e67 = finite_vec4_(_e66);
+    return fs_mainOutput { _e67 };
 }

@@ -112,15 +112,6 @@ fn bounded(x: f32) -> f32 {
 }
 
 /// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    let bits = bitcast<vec2u>(v);
-    let magnitude = bits & vec2u(0x7fffffffu);
-    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
-    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
-    return select(numbers, v, magnitude < vec2u(0x7f800000u));
-}
-
-/// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
     let bits = bitcast<vec3u>(v);
     let magnitude = bits & vec3u(0x7fffffffu);
@@ -167,7 +158,7 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
@@ -342,8 +333,9 @@ fn perlin_noise_2(p: vec3f, seed: u32) -> f32 {
         }
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at)
-            + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
+        sum = sum + weight.x * weight.y * 0.5
+            * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
         continuing {
             i = i + 1;
         }
@@ -374,7 +366,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         }
         sum = sum + strength * octave;
         total = total + strength;
-        strength = strength * 0.5;
+        strength = strength * roughness;
         frequency = frequency * 2.0;
         continuing {
             i = i + 1;
@@ -415,24 +407,27 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
     return min(sum / total, 1.0);
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
-/// and in z the size there of a unit of the scene; in picture heights.
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
-    return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
+    return clamp(vec3f(origin.x * size, -origin.y * size, size), vec3f(-MOST_ON_SCREEN),
+        vec3f(MOST_ON_SCREEN));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
-    let from_middle = bounded_vec2(pixel) - 0.5 * viewport;
+    let from_middle = pixel - 0.5 * viewport;
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
@@ -451,10 +446,9 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Stret
     let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = turn.y * along + turn.x * across;
     let y = turn.y * across - turn.x * along;
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
-    return StretchedPlace(bounded_vec2(turned), stretch);
+    return StretchedPlace(turned, stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -467,8 +461,8 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(240.0, 240.0 / max(viewport.y, 1.0), is_pixel);
-    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -481,8 +475,8 @@ fn area_square(stretch: vec3f) -> f32 {
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
-    let size = clamp(bounded(anchor.z), 1e-6, 1e6);
-    let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
+    let size = clamp(anchor.z, 1e-6, 1e6);
+    let place = (place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
     let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
@@ -584,13 +578,11 @@ fn shade(surface: Surface) -> vec4f {
     let deeper = mix_colors_multiply_2(two_pigments_2, vec4f(0.3529, 0.3098, 0.5255, 1.0), 0.75);
     let second_wash = eased_2(wet_tone, 0.42, 0.34);
     let k2 = second_wash * 0.6;
-    let second_on_the_first = vec4f(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
-    let rim1a = smoothstep(0.66, 0.72, wet_tone);
-    let pigment_s_rim = rim1a * first_wash;
-    let rim2a = smoothstep(0.29, 0.34, wet_tone);
-    let second_rim = rim2a * second_wash;
-    let rims = max(pigment_s_rim, second_rim);
-    let k3 = rims * 0.34;
+    let second_on_the_first = vec4f(mixed_vec3(bounded_vec3(wash_on_paper.xyz),
+        bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
+    let pigment_s_rim = smoothstep(0.66, 0.72, wet_tone) * first_wash;
+    let second_rim = smoothstep(0.29, 0.34, wet_tone) * second_wash;
+    let k3 = max(pigment_s_rim, second_rim) * 0.34;
     let rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
     let sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
     let paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0i, look.viewport);
@@ -599,8 +591,7 @@ fn shade(surface: Surface) -> vec4f {
     let pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
     let soft = pencil * 0.7;
     let pencil_line = mixed_vec4(bounded_vec4(grain), vec4f(0.2902, 0.2588, 0.2824, 1.0), soft);
-    let output = finite_vec4(pencil_line);
-    return output;
+    return finite_vec4(pencil_line);
 }
 
 struct Vertex {
@@ -618,24 +609,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
-    surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    let shaded = shade(surface);
-    return finite_vec4(shaded);
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, in.clip.xy * view.screen.xy + view.screen.zw,
+        anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz,
+        view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))));
+    return finite_vec4(shade(surface));
 }

@@ -68,6 +68,8 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
+const float MOST_ON_SCREEN = 1000000000000000.0;
+
 layout(std140) uniform ViewBlock { View u_view; };
 
 layout(std140) uniform ObjectBlock { Object u_object; };
@@ -81,33 +83,15 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
-}
-
-vec3 normalize_or(vec3 v, vec3 otherwise) {
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return otherwise;
-    }
-    vec3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float exp2_stable(float x_1) {
-    float whole_1 = roundEven(x_1);
-    float f = (x_1 - whole_1);
+float exp2_stable(float x) {
+    float whole_1 = roundEven(x);
+    float f = (x - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
     int exponent = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -115,88 +99,83 @@ float log2_stable(float x_2) {
     return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+vec3 bounded_vec3_(vec3 v_2) {
+    uvec3 bits_1 = floatBitsToUint(v_2);
+    uvec3 magnitude = (bits_1 & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_2 = floatBitsToUint(v_3);
-    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
-}
-
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_5, float edge, float w) {
-    float d_1 = (x_5 - edge);
+float step_filtered(float x_3, float edge, float w) {
+    float d_1 = (x_3 - edge);
     return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
 }
 
-float curvature_signed_balanced(float kappa, float slope) {
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
-}
-
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
+    vec3 _e6 = normalize_moderate(toward, vec3(0.0, 0.0, 1.0));
     vec3 leaning = cross(up, _e6);
-    float square_2 = dot(leaning, leaning);
+    float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 across_2 = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
     vec3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
     return mat3x3(_e33, cross(_e6, _e33), _e6);
 }
 
+float threshold(float value, float edge_1, float softness) {
+    float _e3 = footprint_of(value);
+    float _e6 = step_filtered(value, edge_1, length(vec2(_e3, softness)));
+    return _e6;
+}
+
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_4 = uvec3(0u);
-    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_4;
-    uvec3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_4;
+    uvec3 v_3 = uvec3(0u);
+    v_3 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_3;
+    uvec3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_3;
     return _e61;
 }
 
@@ -232,8 +211,7 @@ float value_noise(vec3 p, uint seed_1) {
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
-    float _e10 = bounded(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
@@ -252,44 +230,43 @@ vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
 }
 
 StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1, vec3 view_1, float magnification, float angle_1) {
-    float _e7 = bounded(magnification);
-    float height = (1.0 / clamp(_e7, 1e-15, 1000000000000000.0));
-    vec3 _e13 = gradient_on_picture(along_1, normal_1, view_1);
-    vec3 _e15 = bounded_vec3_((_e13 * height));
-    vec3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
-    vec3 _e18 = bounded_vec3_((_e16 * height));
-    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
-    return _e19;
+    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
+    vec3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
+    vec3 _e14 = bounded_vec3_((_e12 * height));
+    vec3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
+    vec3 _e17 = bounded_vec3_((_e15 * height));
+    StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
+    return _e18;
 }
 
 StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec2 place_5 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
-    vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
-    vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
-    return _e23;
+    vec3 along_2 = (world_from_normal * _e11[0]);
+    vec3 across_3 = (world_from_normal * _e11[2]);
+    StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
+    return _e21;
 }
 
 SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = (is_pixel ? (78.0 / max(viewport.y, 1.0)) : 78.0);
+    float scale_1 = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
     vec2 p_1 = clamp((place_2 * scale_1), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e23 = bounded_vec3_(stretch);
-    vec3 s = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    vec3 _e21 = bounded_vec3_(stretch);
+    vec3 s = clamp(_e21, vec3(-1000000000000000.0), vec3(1000000000000000.0));
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
 }
 
-Stroke stroke_at(ivec2 line, float x_6, int zoom, Strokes style) {
+Stroke stroke_at(ivec2 line, float x_4, int zoom, Strokes style) {
     uvec3 _e12 = hash_pcg3d((uvec3(ivec3(line, 1048576)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
     vec3 own_1 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
     return Stroke(own_1.y, 1.0);
 }
 
-Stroke stroke_between(ivec2 line_1, float x_7, float level, Strokes style_1) {
+Stroke stroke_between(ivec2 line_1, float x_5, float level, Strokes style_1) {
     float zoom_2 = floor(level);
-    Stroke _e6 = stroke_at(line_1, x_7, int(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_7, (int(zoom_2) + 1), style_1);
+    Stroke _e6 = stroke_at(line_1, x_5, int(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_5, (int(zoom_2) + 1), style_1);
     float f_2 = (level - zoom_2);
     return Stroke(mix(_e6.turn, _e10.turn, f_2), mix(1.0, 1.0, f_2));
 }
@@ -323,14 +300,14 @@ float hatched(vec2 place_4, float w_2, float level_1, float ink, Strokes style_2
     float _e20 = stray_at(place_4, int(zoom_3), 7u);
     float _e25 = stray_at(place_4, (int(zoom_3) + 1), 7u);
     float stray = mix(_e20, _e25, (level_1 - zoom_3));
-    float across_3 = (place_4.y + (style_2.wobble * stray));
+    float across_4 = (place_4.y + (style_2.wobble * stray));
     float _e34 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e34), -40.0);
     float octave_1 = floor(density);
     float _e40 = exp2_stable((density - octave_1));
     float growth = (_e40 - 1.0);
     float scale_2 = uintBitsToFloat((uint((int(octave_1) + 127)) << 23u));
-    float q = clamp((across_3 * scale_2), -4194304.0, 4194304.0);
+    float q = clamp((across_4 * scale_2), -4194304.0, 4194304.0);
     float _e57 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width) * _e57);
     float footprint = (w_2 * scale_2);
@@ -350,7 +327,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
     int i_1 = 0;
     float free = 1.0;
-    vec2 x_8 = dFdx(at.place);
+    vec2 x_6 = dFdx(at.place);
     vec2 y = dFdy(at.place);
     bool loop_init_1 = true;
     while(true) {
@@ -366,13 +343,13 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
         int _e18 = i_1;
         if ((_e18 < 1)) {
             vec2 turn_1 = vec2(0.0, 1.0);
-            vec2 along_2 = vec2(turn_1.y, turn_1.x);
-            vec2 across_4 = vec2(-(turn_1.x), turn_1.y);
-            float w_3 = length(vec2(dot(across_4, x_8), dot(across_4, y)));
-            float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            float _e59 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            vec2 along_3 = vec2(turn_1.y, turn_1.x);
+            vec2 across_5 = vec2(-(turn_1.x), turn_1.y);
+            float w_3 = length(vec2(dot(across_5, x_6), dot(across_5, y)));
+            float square_2 = dot(vec3((across_5.x * across_5.x), ((2.0 * across_5.x) * across_5.y), (across_5.y * across_5.y)), at.stretch);
+            float _e59 = log2_stable(max(max(square_2, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
-            vec2 place_6 = vec2(dot(along_2, at.place), dot(across_4, at.place));
+            vec2 place_6 = vec2(dot(along_3, at.place), dot(across_5, at.place));
             own = style_3;
             own.seed = 7u;
             Strokes _e74 = own;
@@ -390,63 +367,45 @@ MarkPlace mark_place_light(Light light, vec3 normal_3, float angle_3, vec3 view_
     return MarkPlace(_e9.place, _e9.stretch);
 }
 
-vec4 shade(Surface surface_1) {
+vec4 shade(Surface surface) {
     vec3 _e5 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e5) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e5) + 0.3) / 1.3), 0.0);
     float tone = mix(0.02, 1.0, min(((shade_2_ - 0.0) / 0.8), 1.0));
-    float _e23 = footprint_of(tone);
-    float _e27 = step_filtered(tone, 0.72, length(vec2(_e23, 0.0)));
-    vec4 ochre_block = mix(vec4(0.8392, 0.6039, 0.2902, 1.0), vec4(0.9529, 0.902, 0.7843, 1.0), _e27);
-    Light _e41 = u_look.key;
-    MarkPlace _e48 = mark_place_light(_e41, surface_1.normal, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    vec2 _e53 = u_look.viewport;
-    SpacedPlace _e55 = spaced(_e48.place, _e48.stretch, _e53, 78.0);
-    float _e70 = cross_hatched(_e55, (1.0 - min(tone, 1.0)), 1, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
-    float _e72 = footprint_of(tone);
-    float _e76 = step_filtered(tone, 0.2, length(vec2(_e72, 0.0)));
-    float black = (1.0 - _e76);
-    float ink1_ = max(_e70, black);
-    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e93 = curvature_signed_balanced(curvature, 0.22);
-    float hollow_to_bulge = (0.5 + (0.5 * _e93));
-    float _e99 = footprint_of(hollow_to_bulge);
-    float _e103 = step_filtered(hollow_to_bulge, 0.2, length(vec2(_e99, 0.0)));
-    float carved = (1.0 - _e103);
-    float facing_1 = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e113 = footprint_of(facing_1);
-    float _e117 = step_filtered(facing_1, 0.3, length(vec2(_e113, 0.0)));
-    float line_2 = (1.0 - _e117);
-    float ink2_ = max(carved, line_2);
-    float black_block = max(ink1_, ink2_);
-    vec4 output_ = mix(ochre_block, vec4(0.1137, 0.0824, 0.0706, 1.0), black_block);
-    return output_;
+    float _e24 = threshold(tone, 0.72, 0.0);
+    vec4 ochre_block = mix(vec4(0.8392, 0.6039, 0.2902, 1.0), vec4(0.9529, 0.902, 0.7843, 1.0), _e24);
+    Light _e38 = u_look.key;
+    MarkPlace _e45 = mark_place_light(_e38, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    vec2 _e50 = u_look.viewport;
+    SpacedPlace _e52 = spaced(_e45.place, _e45.stretch, _e50, 78.0);
+    float _e67 = cross_hatched(_e52, (1.0 - min(tone, 1.0)), 1, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    float _e70 = threshold(tone, 0.2, 0.0);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.22), -20.0, 20.0))))))));
+    float _e92 = threshold(hollow_to_bulge, 0.2, 0.0);
+    float _e101 = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    float black_block = max(max(_e67, (1.0 - _e70)), max((1.0 - _e92), (1.0 - _e101)));
+    vec4 print = mix(ochre_block, vec4(0.1137, 0.0824, 0.0706, 1.0), black_block);
+    return print;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, mat3x3(0.0));
     vec3 _e3 = normalize_seen(in_.normal);
     vec3 normal_4 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_4;
-    vec4 _e11 = u_view.eye;
-    float _e16 = u_view.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e29.x;
-    mat4x4 _e34 = u_view.camera_from_world;
-    float _e44 = u_view.eye.w;
-    float _e49 = u_view.clip_from_world[0][1];
-    float _e54 = u_view.clip_from_world[1][1];
-    float _e59 = u_view.clip_from_world[2][1];
-    float _e62 = size_on_screen(-((_e34 * vec4(in_.position, 1.0)).z), _e44, length(vec3(_e49, _e54, _e59)));
-    surface.magnification = _e62;
-    mat3x3 _e66 = u_object.world_from_normal;
-    surface.world_from_normal = _e66;
-    Surface _e67 = surface;
-    vec4 _e68 = shade(_e67);
-    out_color = _e68;
+    vec4 _e8 = u_view.eye;
+    float _e13 = u_view.eye.w;
+    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e28 = u_view.camera_from_world;
+    float _e38 = u_view.eye.w;
+    float _e43 = u_view.clip_from_world[0][1];
+    float _e48 = u_view.clip_from_world[1][1];
+    float _e53 = u_view.clip_from_world[2][1];
+    float _e56 = size_on_screen(-((_e28 * vec4(in_.position, 1.0)).z), _e38, length(vec3(_e43, _e48, _e53)));
+    mat3x3 _e59 = u_object.world_from_normal;
+    Surface surface_1 = Surface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, _e56, _e59);
+    vec4 _e61 = shade(surface_1);
+    out_color = _e61;
     return;
 }
 

@@ -102,6 +102,8 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
+static const float MOST_ON_SCREEN = 1000000000000000.0;
+
 cbuffer view_4 : register(b0) { View view_4; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
@@ -122,41 +124,21 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float3 normalize_or(float3 v, float3 otherwise)
-{
-    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return otherwise;
-    }
-    float3 scaled = (v * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_1)
+float exp2_stable(float x)
 {
-    float whole_1 = round(x_1);
-    float f = (x_1 - whole_1);
+    float whole_1 = round(x);
+    float f = (x - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+float log2_stable(float x_1)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_1);
     int exponent = (asint((bits - 1060439283u)) >> 23u);
     float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -164,98 +146,92 @@ float log2_stable(float x_2)
     return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+float3 normalize_seen(float3 v_1)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_3)
+float3 bounded_vec3_(float3 v_2)
 {
-    uint bits_1 = asuint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    uint3 bits_1 = asuint(v_2);
+    uint3 magnitude = (bits_1 & (2147483647u).xxx);
+    float3 largest = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v_2 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_3)
+float footprint_of(float x_2)
 {
-    uint3 bits_2 = asuint(v_3);
-    uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
-}
-
-float footprint_of(float x_4)
-{
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_5, float edge, float w)
+float step_filtered(float x_3, float edge, float w)
 {
-    float d_1 = (x_5 - edge);
+    float d_1 = (x_3 - edge);
     return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
-}
-
-float curvature_signed_balanced(float kappa, float slope)
-{
-    return (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp(((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope), -20.0, 20.0))))));
 }
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    const float3 _e6 = normalize_or(toward, float3(0.0, 0.0, 1.0));
+    const float3 _e6 = normalize_moderate(toward, float3(0.0, 0.0, 1.0));
     float3 leaning = cross(up, _e6);
-    float square_2 = dot(leaning, leaning);
+    float square_1 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    float3 across_2 = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
     const float3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), float3(1.0, 0.0, 0.0));
     return float3x3(_e33, cross(_e6, _e33), _e6);
 }
 
+float threshold(float value, float edge_1, float softness)
+{
+    const float _e3 = footprint_of(value);
+    const float _e6 = step_filtered(value, edge_1, length(float2(_e3, softness)));
+    return _e6;
+}
+
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_4 = (uint3)0;
+    uint3 v_3 = (uint3)0;
 
-    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_4;
-    uint3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_4;
+    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_3;
+    uint3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_3;
     return _e61;
 }
 
@@ -301,8 +277,7 @@ float value_noise(float3 p, uint seed_1)
 
 float size_on_screen(float depth, float perspective, float scale)
 {
-    const float _e10 = bounded(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)));
-    return _e10;
+    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -332,14 +307,13 @@ float3 gradient_on_picture(float3 g, float3 normal, float3 view)
 
 StretchedPlace place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_1, float3 view_1, float magnification, float angle_1)
 {
-    const float _e7 = bounded(magnification);
-    float height = (1.0 / clamp(_e7, 1e-15, 1000000000000000.0));
-    const float3 _e13 = gradient_on_picture(along_1, normal_1, view_1);
-    const float3 _e15 = bounded_vec3_((_e13 * height));
-    const float3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
-    const float3 _e18 = bounded_vec3_((_e16 * height));
-    const StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
-    const StretchedPlace stretchedplace_1 = _e19;
+    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
+    const float3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
+    const float3 _e14 = bounded_vec3_((_e12 * height));
+    const float3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
+    const float3 _e17 = bounded_vec3_((_e15 * height));
+    const StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
+    const StretchedPlace stretchedplace_1 = _e18;
     return stretchedplace_1;
 }
 
@@ -347,10 +321,10 @@ StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_no
 {
     const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
     float2 place_5 = float2(dot(position, _e11[0]), dot(position, _e11[2]));
-    const float3 _e19 = bounded_vec3_(mul(_e11[0], world_from_normal));
-    const float3 _e22 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
-    const StretchedPlace stretchedplace_2 = _e23;
+    float3 along_2 = mul(_e11[0], world_from_normal);
+    float3 across_3 = mul(_e11[2], world_from_normal);
+    const StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
+    const StretchedPlace stretchedplace_2 = _e21;
     return stretchedplace_2;
 }
 
@@ -364,10 +338,10 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 SpacedPlace spaced(float2 place_2, float3 stretch, float2 viewport, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = (is_pixel ? (78.0 / max(viewport.y, 1.0)) : 78.0);
+    float scale_1 = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
     float2 p_1 = clamp((place_2 * scale_1), (-4194304.0).xx, (4194304.0).xx);
-    const float3 _e23 = bounded_vec3_(stretch);
-    float3 s = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float3 _e21 = bounded_vec3_(stretch);
+    float3 s = clamp(_e21, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
     const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
     return spacedplace;
 }
@@ -379,7 +353,7 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
+Stroke stroke_at(int2 line_, float x_4, int zoom, Strokes style)
 {
     const uint3 _e12 = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
     float3 own_1 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
@@ -387,11 +361,11 @@ Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
     return stroke;
 }
 
-Stroke stroke_between(int2 line_1, float x_7, float level, Strokes style_1)
+Stroke stroke_between(int2 line_1, float x_5, float level, Strokes style_1)
 {
     float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_7, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
+    const Stroke _e6 = stroke_at(line_1, x_5, naga_f2i32(zoom_2), style_1);
+    const Stroke _e10 = stroke_at(line_1, x_5, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
     float f_2 = (level - zoom_2);
     const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_2), lerp(1.0, 1.0, f_2));
     return stroke_1;
@@ -438,14 +412,14 @@ float hatched(float2 place_4, float w_2, float level_1, float ink, Strokes style
     const float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
     const float _e25 = stray_at(place_4, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), 7u);
     float stray = lerp(_e20, _e25, (level_1 - zoom_3));
-    float across_3 = (place_4.y + (style_2.wobble * stray));
+    float across_4 = (place_4.y + (style_2.wobble * stray));
     const float _e34 = log2_stable(max(number, 1e-9));
     float density = max((level_1 + _e34), -40.0);
     float octave_1 = floor(density);
     const float _e40 = exp2_stable((density - octave_1));
     float growth = (_e40 - 1.0);
     float scale_2 = asfloat((uint(asint(asuint(naga_f2i32(octave_1)) + asuint(int(127)))) << 23u));
-    float q = clamp((across_3 * scale_2), -4194304.0, 4194304.0);
+    float q = clamp((across_4 * scale_2), -4194304.0, 4194304.0);
     const float _e57 = exp2_stable((octave_1 - level_1));
     float half_1 = ((0.5 * width) * _e57);
     float footprint = (w_2 * scale_2);
@@ -467,7 +441,7 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     int i_1 = int(0);
     float free = 1.0;
 
-    float2 x_8 = ddx(at.place);
+    float2 x_6 = ddx(at.place);
     float2 y = ddy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
     bool loop_init_1 = true;
@@ -486,13 +460,13 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
         int _e18 = i_1;
         if ((_e18 < int(1))) {
             float2 turn_1 = float2(0.0, 1.0);
-            float2 along_2 = float2(turn_1.y, turn_1.x);
-            float2 across_4 = float2(-(turn_1.x), turn_1.y);
-            float w_3 = length(float2(dot(across_4, x_8), dot(across_4, y)));
-            float square_3 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            const float _e59 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            float2 along_3 = float2(turn_1.y, turn_1.x);
+            float2 across_5 = float2(-(turn_1.x), turn_1.y);
+            float w_3 = length(float2(dot(across_5, x_6), dot(across_5, y)));
+            float square_2 = dot(float3((across_5.x * across_5.x), ((2.0 * across_5.x) * across_5.y), (across_5.y * across_5.y)), at.stretch);
+            const float _e59 = log2_stable(max(max(square_2, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
-            float2 place_6 = float2(dot(along_2, at.place), dot(across_4, at.place));
+            float2 place_6 = float2(dot(along_3, at.place), dot(across_5, at.place));
             own = style_3;
             own.seed = 7u;
             Strokes _e74 = own;
@@ -531,55 +505,57 @@ Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float a
     return ret;
 }
 
-float4 shade(Surface surface_1)
+float4 shade(Surface surface)
 {
     float3 _e5 = look.key.direction;
-    float shade_2_ = max(((dot(surface_1.normal, _e5) + 0.3) / 1.3), 0.0);
+    float shade_2_ = max(((dot(surface.normal, _e5) + 0.3) / 1.3), 0.0);
     float tone = lerp(0.02, 1.0, min(((shade_2_ - 0.0) / 0.8), 1.0));
-    const float _e23 = footprint_of(tone);
-    const float _e27 = step_filtered(tone, 0.72, length(float2(_e23, 0.0)));
-    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0), float4(0.9529, 0.902, 0.7843, 1.0), _e27);
-    Light _e41 = look.key;
-    const MarkPlace _e48 = mark_place_light(_e41, surface_1.normal, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    float2 _e53 = look.viewport;
-    const SpacedPlace _e55 = spaced(_e48.place, _e48.stretch, _e53, 78.0);
-    const float _e70 = cross_hatched(_e55, (1.0 - min(tone, 1.0)), int(1), 1.0471976, ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
-    const float _e72 = footprint_of(tone);
-    const float _e76 = step_filtered(tone, 0.2, length(float2(_e72, 0.0)));
-    float black = (1.0 - _e76);
-    float ink1_ = max(_e70, black);
-    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e93 = curvature_signed_balanced(curvature, 0.22);
-    float hollow_to_bulge = (0.5 + (0.5 * _e93));
-    const float _e99 = footprint_of(hollow_to_bulge);
-    const float _e103 = step_filtered(hollow_to_bulge, 0.2, length(float2(_e99, 0.0)));
-    float carved = (1.0 - _e103);
-    float facing_1 = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    const float _e113 = footprint_of(facing_1);
-    const float _e117 = step_filtered(facing_1, 0.3, length(float2(_e113, 0.0)));
-    float line_2 = (1.0 - _e117);
-    float ink2_ = max(carved, line_2);
-    float black_block = max(ink1_, ink2_);
-    float4 output = lerp(ochre_block, float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
-    return output;
+    const float _e24 = threshold(tone, 0.72, 0.0);
+    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0), float4(0.9529, 0.902, 0.7843, 1.0), _e24);
+    Light _e38 = look.key;
+    const MarkPlace _e45 = mark_place_light(_e38, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    float2 _e50 = look.viewport;
+    const SpacedPlace _e52 = spaced(_e45.place, _e45.stretch, _e50, 78.0);
+    const float _e67 = cross_hatched(_e52, (1.0 - min(tone, 1.0)), int(1), 1.0471976, ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    const float _e70 = threshold(tone, 0.2, 0.0);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.22), -20.0, 20.0))))))));
+    const float _e92 = threshold(hollow_to_bulge, 0.2, 0.0);
+    const float _e101 = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    float black_block = max(max(_e67, (1.0 - _e70)), max((1.0 - _e92), (1.0 - _e101)));
+    float4 print = lerp(ochre_block, float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
+    return print;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.position_object = arg2;
+    ret.normal = arg3;
+    return ret;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    Varyings out_ = (Varyings)0;
-
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_4.clip_from_world;
-    out_.clip_ = mul(world, _e12);
-    out_.position = world.xyz;
-    out_.position_object = vertex.position;
-    float3x3 _e21 = object.world_from_normal;
-    out_.normal = mul(vertex.normal, _e21);
-    Varyings _e24 = out_;
-    const Varyings varyings = _e24;
+    float4x4 _e10 = view_4.clip_from_world;
+    float3x3 _e16 = object.world_from_normal;
+    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float arg4, float3x3 arg5) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    ret.view = arg1;
+    ret.position_object = arg2;
+    ret.kappa = arg3;
+    ret.magnification = arg4;
+    ret.world_from_normal = arg5;
+    return ret;
 }
 
 int2 naga_f2i32(float2 value) {
@@ -590,27 +566,19 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    Surface surface = (Surface)0;
-
     const float3 _e3 = normalize_seen(in_.normal);
     float3 normal_6 = (is_front ? _e3 : -(_e3));
-    surface.normal = normal_6;
-    float4 _e11 = view_4.eye;
-    float _e16 = view_4.eye.w;
-    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
-    surface.position_object = in_.position_object;
-    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e29.x;
-    float4x4 _e34 = view_4.camera_from_world;
-    float _e44 = view_4.eye.w;
-    float _e49 = view_4.clip_from_world[0].y;
-    float _e54 = view_4.clip_from_world[1].y;
-    float _e59 = view_4.clip_from_world[2].y;
-    const float _e62 = size_on_screen(-(mul(float4(in_.position, 1.0), _e34).z), _e44, length(float3(_e49, _e54, _e59)));
-    surface.magnification = _e62;
-    float3x3 _e66 = object.world_from_normal;
-    surface.world_from_normal = _e66;
-    Surface _e67 = surface;
-    const float4 _e68 = shade(_e67);
-    return _e68;
+    float4 _e8 = view_4.eye;
+    float _e13 = view_4.eye.w;
+    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4x4 _e28 = view_4.camera_from_world;
+    float _e38 = view_4.eye.w;
+    float _e43 = view_4.clip_from_world[0].y;
+    float _e48 = view_4.clip_from_world[1].y;
+    float _e53 = view_4.clip_from_world[2].y;
+    const float _e56 = size_on_screen(-(mul(float4(in_.position, 1.0), _e28).z), _e38, length(float3(_e43, _e48, _e53)));
+    float3x3 _e59 = object.world_from_normal;
+    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, _e56, _e59);
+    const float4 _e61 = shade(surface_1);
+    return _e61;
 }

@@ -80,47 +80,25 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-metal::float3 normalize_or(
-    metal::float3 v,
-    metal::float3 otherwise
-) {
-    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
-        return otherwise;
-    }
-    metal::float3 scaled = v * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
+constant float MOST_ON_SCREEN = 1000000000000000.0;
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
 float exp2_stable(
-    float x_1
+    float x
 ) {
-    float whole_1 = metal::rint(x_1);
-    float f = x_1 - whole_1;
+    float whole_1 = metal::rint(x);
+    float f = x - whole_1;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
 float log2_stable(
-    float x_2
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_1);
     int exponent = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -129,110 +107,104 @@ float log2_stable(
 }
 
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(
-    float x_3
-) {
-    uint bits_1 = as_type<uint>(x_3);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
-}
-
 metal::float3 bounded_vec3_(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
+    metal::uint3 bits_1 = as_type<metal::uint3>(v_2);
+    metal::uint3 magnitude = bits_1 & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    return metal::select(numbers, v_2, magnitude < metal::uint3(2139095040u));
 }
 
 float footprint_of(
-    float x_4
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
 
 float step_filtered(
-    float x_5,
+    float x_3,
     float edge,
     float w
 ) {
-    float d_1 = x_5 - edge;
+    float d_1 = x_3 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_1 / w), 0.0, 1.0);
-}
-
-float curvature_signed_balanced(
-    float kappa,
-    float slope
-) {
-    return 1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp((((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope, -20.0, 20.0))));
 }
 
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 _e6 = normalize_or(toward, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e6 = normalize_moderate(toward, metal::float3(0.0, 0.0, 1.0));
     metal::float3 leaning = metal::cross(up, _e6);
-    float square_2 = metal::dot(leaning, leaning);
+    float square_1 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across_2 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 across_2 = (square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6);
     metal::float3 _e33 = normalize_moderate(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(_e33, metal::cross(_e6, _e33), _e6);
+}
+
+float threshold(
+    float value,
+    float edge_1,
+    float softness
+) {
+    float _e3 = footprint_of(value);
+    float _e6 = step_filtered(value, edge_1, metal::length(metal::float2(_e3, softness)));
+    return _e6;
 }
 
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_4 = {};
-    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_4;
-    metal::uint3 _e32 = v_4;
-    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_4;
+    metal::uint3 v_3 = {};
+    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_3;
+    metal::uint3 _e32 = v_3;
+    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_3;
     return _e61;
 }
 
@@ -282,8 +254,7 @@ float size_on_screen(
     float perspective,
     float scale
 ) {
-    float _e10 = bounded((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective));
-    return _e10;
+    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
 StretchedPlace mark_place_of(
@@ -319,14 +290,13 @@ StretchedPlace place_on_surface(
     float magnification,
     float angle_1
 ) {
-    float _e7 = bounded(magnification);
-    float height = 1.0 / metal::clamp(_e7, 0.000000000000001, 1000000000000000.0);
-    metal::float3 _e13 = gradient_on_picture(along_1, normal_1, view_1);
-    metal::float3 _e15 = bounded_vec3_(_e13 * height);
-    metal::float3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
-    metal::float3 _e18 = bounded_vec3_(_e16 * height);
-    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
-    return _e19;
+    float height = 1.0 / metal::clamp(magnification, 0.000000000000001, 1000000000000000.0);
+    metal::float3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
+    metal::float3 _e14 = bounded_vec3_(_e12 * height);
+    metal::float3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
+    metal::float3 _e17 = bounded_vec3_(_e15 * height);
+    StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
+    return _e18;
 }
 
 StretchedPlace place_across(
@@ -340,10 +310,10 @@ StretchedPlace place_across(
 ) {
     metal::float3x3 _e11 = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
     metal::float2 place_5 = metal::float2(metal::dot(position, _e11[0]), metal::dot(position, _e11[2]));
-    metal::float3 _e19 = bounded_vec3_(world_from_normal * _e11[0]);
-    metal::float3 _e22 = bounded_vec3_(world_from_normal * _e11[2]);
-    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
-    return _e23;
+    metal::float3 along_2 = world_from_normal * _e11[0];
+    metal::float3 across_3 = world_from_normal * _e11[2];
+    StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
+    return _e21;
 }
 
 SpacedPlace spaced(
@@ -353,16 +323,16 @@ SpacedPlace spaced(
     float count
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = is_pixel ? (78.0 / metal::max(viewport.y, 1.0)) : 78.0;
+    float scale_1 = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
     metal::float2 p_1 = metal::clamp(place_2 * scale_1, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 _e23 = bounded_vec3_(stretch);
-    metal::float3 s = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    metal::float3 _e21 = bounded_vec3_(stretch);
+    metal::float3 s = metal::clamp(_e21, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
     return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_6,
+    float x_4,
     int zoom,
     Strokes style
 ) {
@@ -373,13 +343,13 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_7,
+    float x_5,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_7, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    Stroke _e6 = stroke_at(line_1, x_5, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_5, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
     float f_2 = level - zoom_2;
     return Stroke {metal::mix(_e6.turn, _e10.turn, f_2), metal::mix(1.0, 1.0, f_2)};
 }
@@ -438,14 +408,14 @@ float hatched(
     float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
     float _e25 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), 7u);
     float stray = metal::mix(_e20, _e25, level_1 - zoom_3);
-    float across_3 = place_4.y + (style_2.wobble * stray);
+    float across_4 = place_4.y + (style_2.wobble * stray);
     float _e34 = log2_stable(metal::max(number, 0.000000001));
     float density = metal::max(level_1 + _e34, -40.0);
     float octave_1 = metal::floor(density);
     float _e40 = exp2_stable(density - octave_1);
     float growth = _e40 - 1.0;
     float scale_2 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(127))) << 23u);
-    float q = metal::clamp(across_3 * scale_2, -4194304.0, 4194304.0);
+    float q = metal::clamp(across_4 * scale_2, -4194304.0, 4194304.0);
     float _e57 = exp2_stable(octave_1 - level_1);
     float half_1 = (0.5 * width) * _e57;
     float footprint = w_2 * scale_2;
@@ -471,7 +441,7 @@ float cross_hatched(
     Strokes own = {};
     int i_1 = 0;
     float free = 1.0;
-    metal::float2 x_8 = metal::dfdx(at.place);
+    metal::float2 x_6 = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
@@ -490,13 +460,13 @@ float cross_hatched(
         int _e18 = i_1;
         if (_e18 < 1) {
             metal::float2 turn_1 = metal::float2(0.0, 1.0);
-            metal::float2 along_2 = metal::float2(turn_1.y, turn_1.x);
-            metal::float2 across_4 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_3 = metal::length(metal::float2(metal::dot(across_4, x_8), metal::dot(across_4, y)));
-            float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
-            float _e59 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            metal::float2 along_3 = metal::float2(turn_1.y, turn_1.x);
+            metal::float2 across_5 = metal::float2(-(turn_1.x), turn_1.y);
+            float w_3 = metal::length(metal::float2(metal::dot(across_5, x_6), metal::dot(across_5, y)));
+            float square_2 = metal::dot(metal::float3(across_5.x * across_5.x, (2.0 * across_5.x) * across_5.y, across_5.y * across_5.y), at.stretch);
+            float _e59 = log2_stable(metal::max(metal::max(square_2, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
             float level_2 = metal::clamp(-0.5 * _e59, -16.0, 16.0);
-            metal::float2 place_6 = metal::float2(metal::dot(along_2, at.place), metal::dot(across_4, at.place));
+            metal::float2 place_6 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_5, at.place));
             own = style_3;
             own.seed = 7u;
             Strokes _e74 = own;
@@ -523,38 +493,27 @@ MarkPlace mark_place_light(
 }
 
 metal::float4 shade(
-    Surface surface_1,
+    Surface surface,
     constant Look& look
 ) {
     metal::float3 _e5 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface_1.normal, _e5) + 0.3) / 1.3, 0.0);
+    float shade_2_ = metal::max((metal::dot(surface.normal, _e5) + 0.3) / 1.3, 0.0);
     float tone = metal::mix(0.02, 1.0, metal::min((shade_2_ - 0.0) / 0.8, 1.0));
-    float _e23 = footprint_of(tone);
-    float _e27 = step_filtered(tone, 0.72, metal::length(metal::float2(_e23, 0.0)));
-    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0), metal::float4(0.9529, 0.902, 0.7843, 1.0), _e27);
-    Light _e41 = look.key;
-    MarkPlace _e48 = mark_place_light(_e41, surface_1.normal, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    metal::float2 _e53 = look.viewport;
-    SpacedPlace _e55 = spaced(_e48.place, _e48.stretch, _e53, 78.0);
-    float _e70 = cross_hatched(_e55, 1.0 - metal::min(tone, 1.0), 1, 1.0471976, Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
-    float _e72 = footprint_of(tone);
-    float _e76 = step_filtered(tone, 0.2, metal::length(metal::float2(_e72, 0.0)));
-    float black = 1.0 - _e76;
-    float ink1_ = metal::max(_e70, black);
-    float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e93 = curvature_signed_balanced(curvature, 0.22);
-    float hollow_to_bulge = 0.5 + (0.5 * _e93);
-    float _e99 = footprint_of(hollow_to_bulge);
-    float _e103 = step_filtered(hollow_to_bulge, 0.2, metal::length(metal::float2(_e99, 0.0)));
-    float carved = 1.0 - _e103;
-    float facing_1 = metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0);
-    float _e113 = footprint_of(facing_1);
-    float _e117 = step_filtered(facing_1, 0.3, metal::length(metal::float2(_e113, 0.0)));
-    float line_2 = 1.0 - _e117;
-    float ink2_ = metal::max(carved, line_2);
-    float black_block = metal::max(ink1_, ink2_);
-    metal::float4 output = metal::mix(ochre_block, metal::float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
-    return output;
+    float _e24 = threshold(tone, 0.72, 0.0);
+    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0), metal::float4(0.9529, 0.902, 0.7843, 1.0), _e24);
+    Light _e38 = look.key;
+    MarkPlace _e45 = mark_place_light(_e38, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    metal::float2 _e50 = look.viewport;
+    SpacedPlace _e52 = spaced(_e45.place, _e45.stretch, _e50, 78.0);
+    float _e67 = cross_hatched(_e52, 1.0 - metal::min(tone, 1.0), 1, 1.0471976, Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
+    float _e70 = threshold(tone, 0.2, 0.0);
+    float curvature = surface.kappa;
+    float hollow_to_bulge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.22, -20.0, 20.0))))));
+    float _e92 = threshold(hollow_to_bulge, 0.2, 0.0);
+    float _e101 = threshold(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    float black_block = metal::max(metal::max(_e67, 1.0 - _e70), metal::max(1.0 - _e92, 1.0 - _e101));
+    metal::float4 print = metal::mix(ochre_block, metal::float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
+    return print;
 }
 
 struct vs_mainInput {
@@ -573,17 +532,11 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
-    Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_4.clip_from_world;
-    out.clip = _e12 * world;
-    out.position = world.xyz;
-    out.position_object = vertex_.position;
-    metal::float3x3 _e21 = object.world_from_normal;
-    out.normal = _e21 * vertex_.normal;
-    Varyings _e24 = out;
-    const auto _tmp = _e24;
+    metal::float4x4 _e10 = view_4.clip_from_world;
+    metal::float3x3 _e16 = object.world_from_normal;
+    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -610,26 +563,19 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_4 };
-    Surface surface = {};
     metal::float3 _e3 = normalize_seen(in.normal);
     metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    surface.normal = normal_4;
-    metal::float4 _e11 = view_4.eye;
-    float _e16 = view_4.eye.w;
-    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
-    surface.position_object = in.position_object;
-    metal::float4 _e29 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e29.x;
-    metal::float4x4 _e34 = view_4.camera_from_world;
-    float _e44 = view_4.eye.w;
-    float _e49 = view_4.clip_from_world[0].y;
-    float _e54 = view_4.clip_from_world[1].y;
-    float _e59 = view_4.clip_from_world[2].y;
-    float _e62 = size_on_screen(-((_e34 * metal::float4(in.position, 1.0)).z), _e44, metal::length(metal::float3(_e49, _e54, _e59)));
-    surface.magnification = _e62;
-    metal::float3x3 _e66 = object.world_from_normal;
-    surface.world_from_normal = _e66;
-    Surface _e67 = surface;
-    metal::float4 _e68 = shade(_e67, look);
-    return fs_mainOutput { _e68 };
+    metal::float4 _e8 = view_4.eye;
+    float _e13 = view_4.eye.w;
+    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e28 = view_4.camera_from_world;
+    float _e38 = view_4.eye.w;
+    float _e43 = view_4.clip_from_world[0].y;
+    float _e48 = view_4.clip_from_world[1].y;
+    float _e53 = view_4.clip_from_world[2].y;
+    float _e56 = size_on_screen(-((_e28 * metal::float4(in.position, 1.0)).z), _e38, metal::length(metal::float3(_e43, _e48, _e53)));
+    metal::float3x3 _e59 = object.world_from_normal;
+    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x, _e56, {}, _e59};
+    metal::float4 _e61 = shade(surface_1, look);
+    return fs_mainOutput { _e61 };
 }

@@ -52,36 +52,14 @@ struct Light {
     intensity: f32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let whole = round(x);
     let f = x - whole;
-    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
-        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    let twice = 2.0 + f * (1.386294405710424 + f
+        * (0.4804529582723118 + f * (0.11100664941567156 + f
+        * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
@@ -111,15 +89,6 @@ fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
 /// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
     let bits = bitcast<vec3u>(v);
@@ -141,22 +110,25 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return select(clamp(0.5 + d / w, 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
-/// [`curvature_signed`] by the hardware's exponential.
-fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
-    return 1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(select(clamp(kappa, -10000.0, 1e4),
-        0.0, (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u) * slope, -20.0, 20.0)));
-}
-
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
+    let z = normalize_moderate(toward, vec3f(0.0, 0.0, 1.0));
     let leaning = cross(up, z);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
     let x = normalize_moderate(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
+}
+
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
+    return step_filtered(value, edge, length(vec2f(footprint_of(value), softness)));
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -187,7 +159,8 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
         }
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum = sum + weight.x * weight.y * 0.5 * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
+        sum = sum + weight.x * weight.y * 0.5
+            * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at) + seed
             * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u))
             * 5.9604644775390625e-8).x;
         continuing {
@@ -197,12 +170,14 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
     return sum;
 }
 
-/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
-/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
-/// perspective.
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
+const MOST_ON_SCREEN: f32 = 1e15;
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
-    return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// A place for marks.
@@ -240,15 +215,15 @@ fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal
     view: vec3f, magnification: f32, angle: f32) -> StretchedPlace {
     let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
     let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
-    let along = bounded_vec3(world_from_normal * axes[0]);
-    let across = bounded_vec3(world_from_normal * axes[2]);
+    let along = world_from_normal * axes[0];
+    let across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, view: vec3f,
     magnification: f32, angle: f32) -> StretchedPlace {
-    let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
+    let height = 1.0 / clamp(magnification, 1e-15, 1e15);
     let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
     let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
     return mark_place_of(place, x, y, angle);
@@ -264,7 +239,7 @@ struct SpacedPlace {
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(78.0, 78.0 / max(viewport.y, 1.0), is_pixel);
+    let scale = select(count, count / max(viewport.y, 1.0), is_pixel);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
     return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
@@ -298,8 +273,8 @@ struct Stroke {
 /// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
 /// first lies in.
 fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
-    let own = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(line, 1048576)) + 7u * vec3u(0x9e3779b9u,
-        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let own = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(line, 1048576)) + 7u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     return Stroke(own.y, 1.0);
 }
 
@@ -427,25 +402,22 @@ struct MarkPlace {
 fn shade(surface: Surface) -> vec4f {
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let tone = mix(0.02, 1.0, min((shade_2 - 0.0) / (0.8 - 0.0), 1.0));
-    let lit = step_filtered(tone, 0.72, length(vec2f(footprint_of(tone), 0.0)));
-    let ochre_block = mix(vec4f(0.8392, 0.6039, 0.2902, 1.0), vec4f(0.9529, 0.902, 0.7843, 1.0), lit);
-    let way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    let cuts = cross_hatched(spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0), 1.0 - min(tone, 1.0), 1i, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
-    let deep_shade = step_filtered(tone, 0.2, length(vec2f(footprint_of(tone), 0.0)));
-    let black = 1.0 - deep_shade;
-    let ink1 = max(cuts, black);
-    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
-    let hollow_to_bulge = 0.5 + 0.5 * curvature_signed_balanced(curvature, 0.22);
-    let hollows = step_filtered(hollow_to_bulge, 0.2, length(vec2f(footprint_of(hollow_to_bulge), 0.0)));
-    let carved = 1.0 - hollows;
-    let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    let outline = step_filtered(facing, 0.3, length(vec2f(footprint_of(facing), 0.0)));
-    let line = 1.0 - outline;
-    let ink2 = max(carved, line);
-    let black_block = max(ink1, ink2);
+    let lit = threshold(tone, 0.72, 0.0);
+    let ochre_block = mix(vec4f(0.8392, 0.6039, 0.2902, 1.0), vec4f(0.9529, 0.902, 0.7843, 1.0),
+        lit);
+    let way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view,
+        surface.position_object, surface.world_from_normal, surface.magnification);
+    let cuts = cross_hatched(spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport,
+        78.0), 1.0 - min(tone, 1.0), 1i, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    let deep_shade = threshold(tone, 0.2, 0.0);
+    let curvature = surface.kappa;
+    let hollow_to_bulge = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.22, -20.0, 20.0))));
+    let hollows = threshold(hollow_to_bulge, 0.2, 0.0);
+    let outline = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    let black_block = max(max(cuts, 1.0 - deep_shade), max(1.0 - hollows, 1.0 - outline));
     let print = mix(ochre_block, vec4f(0.1137, 0.0824, 0.0706, 1.0), black_block);
-    let output = print;
-    return output;
+    return print;
 }
 
 struct Vertex {
@@ -463,25 +435,18 @@ struct Varyings {
 @vertex
 fn vs_main(vertex: Vertex) -> Varyings {
     let world = object.world_from_object * vec4f(vertex.position, 1.0);
-    var out: Varyings;
-    out.clip = view.clip_from_world * world;
-    out.position = world.xyz;
-    out.position_object = vertex.position;
-    out.normal = object.world_from_normal * vertex.normal;
-    return out;
+    return Varyings(view.clip_from_world * world, world.xyz, vertex.position,
+        object.world_from_normal * vertex.normal);
 }
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
-    var surface: Surface;
-    surface.normal = normal;
-    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
-    surface.position_object = in.position_object;
-    surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
-    surface.magnification = size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    surface.world_from_normal = object.world_from_normal;
-    let shaded = shade(surface);
-    return shaded;
+    let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, textureLoad(curvature_map, vec2i(in.clip.xy), 0).x,
+        size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w,
+        length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y))), object.world_from_normal);
+    return shade(surface);
 }

@@ -263,7 +263,8 @@ fn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let argument = if has_front {
         out.push_str(
             "    let areas = deferred_areas(triangle, at.xy);\n    \
-             let is_turned = (areas.x + areas.y + areas.z < 0.0) != (deferred_draw.sides >= 2u);\n    \
+             let is_turned =\n        \
+             (areas.x + areas.y + areas.z < 0.0) != (deferred_draw.sides >= 2u);\n    \
              let is_front = !is_turned || (deferred_draw.sides & 1u) == 0u;\n",
         );
         ", is_front"
