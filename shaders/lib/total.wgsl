@@ -202,8 +202,8 @@ fn sine_of(x: f32) -> f32 {
     let b = bounded(x);
     let turns = round(b * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((b - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
+    let coarse = fma(turns, -0.0009670257568359375, fma(turns, -3.140625, b));
+    let r = fma(turns, -6.27832957300962643e-7, coarse);
     return sine_turned(clamp(r, -HALF_PI, HALF_PI), turns);
 }
 
@@ -225,8 +225,8 @@ fn cosine_of(x: f32) -> f32 {
     let b = bounded(x);
     let turns = round(b * 0.318309886183790672 - 0.5);
     let middle = turns + 0.5;
-    let r = ((b - middle * 3.140625) - middle * 0.0009670257568359375)
-        - middle * 6.27832957300962643e-7;
+    let coarse = fma(middle, -0.0009670257568359375, fma(middle, -3.140625, b));
+    let r = fma(middle, -6.27832957300962643e-7, coarse);
     return sine_turned(-clamp(r, -HALF_PI, HALF_PI), turns);
 }
 

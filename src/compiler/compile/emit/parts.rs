@@ -35,7 +35,7 @@ const MOST_VALUES: usize = 64;
 /// Measured on software Vulkan (Mesa 22.3, LLVM 15): a chain of 5,000 sums, products, sines and
 /// absolute values is compiled in 3.6 s as one piece and in 1.8 s as six, one of 10,000 in 11.3 s
 /// and in 3.8 s.
-const STRETCH: u64 = 1_000;
+const STRETCH: u64 = 1_500;
 /// The most loops of a look with barriers, those of its nodes included. More are worse than none:
 /// software Vulkan counts the rounds of all loops together, and what LLVM finds out about that
 /// count grows exponentially with the number of loops: ten take no time, and with twenty a chain of
