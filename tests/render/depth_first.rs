@@ -123,6 +123,7 @@ fn a_module_has_one_storage_and_taps_by_default() {
     {
         let mut setup = setup(&path, storage, 1.0);
         let wgsl = |setup: &Setup| plan(setup, 1).draws[0].look.wgsl.clone();
+        setup.looks.iter_mut().for_each(|worn| worn.look.tier = None);
         let default = wgsl(&setup);
         assert_eq!(default.contains("textureSampleLevel"), has_taps, "{storage}:\n{default}");
         setup.looks.iter_mut().for_each(|worn| worn.look.tier = Some(Tier::Exact));

@@ -30,12 +30,12 @@ const WORTH_A_PART: usize = 8;
 /// 1023 members.
 const MOST_VALUES: usize = 64;
 
-/// Number of operations of a look from which it has barriers, one for each so many.
+/// Number of operations of a piece of a long look: from two pieces on it has barriers between them.
 ///
 /// Measured on software Vulkan (Mesa 22.3, LLVM 15): a chain of 5,000 sums, products, sines and
 /// absolute values is compiled in 3.6 s as one piece and in 1.8 s as six, one of 10,000 in 11.3 s
 /// and in 3.8 s.
-const STRETCH: u64 = 1_500;
+const STRETCH: u64 = 2_500;
 /// The most loops of a look with barriers, those of its nodes included. More are worse than none:
 /// software Vulkan counts the rounds of all loops together, and what LLVM finds out about that
 /// count grows exponentially with the number of loops: ten take no time, and with twenty a chain of
