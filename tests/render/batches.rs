@@ -143,10 +143,8 @@ fn a_thousand_objects_of_ten_looks_are_ten_pipelines_and_ten_lists() {
 #[test]
 fn lists_change_no_pixel_of_objects_that_hide_and_show_one_another() {
     let mut random = Random::new(22);
-    let meshes: Vec<(Arc<Mesh>, DMat4)> = ["ball", "cube", "plane"]
-        .map(|name| shape(name))
-        .map(|(mesh, fitted)| (Arc::new(mesh), fitted))
-        .into();
+    let meshes: Vec<(Arc<Mesh>, DMat4)> =
+        ["ball", "cube", "plane"].map(shape).map(|(mesh, fitted)| (Arc::new(mesh), fitted)).into();
     let mut joined = 0;
     for round in 0..12 {
         let alpha = |number: usize| if number == 2 && round % 2 == 1 { 0.5 } else { 1.0 };

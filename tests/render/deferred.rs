@@ -72,7 +72,6 @@ fn example_looks_are_the_same_picture() {
                 Ok(_) => {
                     assert!(reason(&plan).contains("once a pixel"), "{}", reason(&plan));
                     let (beyond, most, shown) = differences(&mut renderer, &plan);
-                    println!("{name} on the {mesh}: {beyond} of {shown} beyond, most {most:e}");
                     assert!(shown > 5_000, "{name} on the {mesh}: {shown} pixels");
                     assert_eq!(beyond, 0, "{name} on the {mesh}: most {most}");
                     drawn += 1;
@@ -85,7 +84,6 @@ fn example_looks_are_the_same_picture() {
             }
         }
     }
-    println!("{drawn} drawn over the picture; the others:\n{}", left.join("\n"));
     assert!(drawn > 40, "only {drawn}: {left:#?}");
 }
 
@@ -140,7 +138,6 @@ fn several_objects_turned_mirrored_and_seen_from_within_are_the_same_picture() {
         assert!(plan.deferral.is_ok(), "{}", reason(&plan));
         assert_eq!(plan.draws.len(), 3);
         let (beyond, most, shown) = differences(&mut renderer, &plan);
-        println!("{projection:?}: {beyond} of {shown} beyond, most {most:e}");
         assert!(shown > 5_000 && beyond == 0, "{beyond} of {shown}, most {most}");
     }
 }

@@ -398,7 +398,6 @@ fn a_profile_over_a_footprint_is_its_mean() {
         }
     }
     let [narrow, wide] = errors.map(|[most, sum, count]| (most, sum / count));
-    println!("greatest and mean error: {narrow:?} below a tenth of the deviation, {wide:?} above");
     assert!(narrow.0 < 1.1e-2 && narrow.1 < 6e-5, "{narrow:?}");
     assert!(wide.0 < 9e-3 && wide.1 < 1e-4, "{wide:?}");
 }

@@ -24,9 +24,12 @@ pub(super) struct NumberedBuffers {
     order: Arc<NumberedMesh>,
 }
 
+/// Buffers of meshes, by the address of each, with the mesh as long as somebody holds it.
+type BuffersByMesh = HashMap<usize, (Weak<Mesh>, NumberedBuffers)>;
+
 /// Meshes in use. Clones share them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct NumberedMeshes(Arc<Mutex<HashMap<usize, (Weak<Mesh>, NumberedBuffers)>>>);
+pub(crate) struct NumberedMeshes(Arc<Mutex<BuffersByMesh>>);
 
 impl NumberedMeshes {
     /// The buffers of a mesh with the attributes that are drawn, and textures of those that are

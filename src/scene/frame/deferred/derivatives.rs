@@ -272,11 +272,12 @@ impl<'a> FunctionWalk<'a> {
                         arguments.iter().for_each(|handle| self.hold(*handle));
                     }
                 }
-                Statement::Store { pointer, value } => {
-                    if at.is_decided || self.is_decided(*value) || self.is_decided(*pointer) {
-                        self.hold(*pointer);
-                    }
+                Statement::Store { pointer, value }
+                    if at.is_decided || self.is_decided(*value) || self.is_decided(*pointer) =>
+                {
+                    self.hold(*pointer);
                 }
+                Statement::Store { .. } => {}
                 Statement::Block(inner) => self.block(inner, at)?,
                 Statement::If { condition, accept, reject } => {
                     let is_decided = self.is_decided(*condition);

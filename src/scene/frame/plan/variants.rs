@@ -86,7 +86,8 @@ impl Planner {
                 let live = &scene.lives[index];
                 let dark = all_dark.remove(&(number, index)).unwrap_or_default();
                 let (cutout, fields) = (has_cutout(object, index), fields(&dark));
-                let content = contents.get(index, &now, live, &object.values);
+                let own = matches!(now, Cow::Owned(_)).then_some(&object.values);
+                let content = contents.get(index, &now, live, own);
                 let key = variant_key(content, cutout, &fields);
                 let variant = LookVariant { key, cutout, dark: fields };
                 if !self.shaders.contains_key(&key) {
@@ -223,10 +224,10 @@ impl Planner {
 struct ContentKeys(HashMap<(usize, String), u64>);
 
 impl ContentKeys {
-    /// The hash of the look of that number in the state `now`, which objects of those values wear.
-    fn get(&mut self, look: usize, now: &Cow<'_, Look>, live: &Live, values: &Values) -> u64 {
-        // Values that set no word leave the look as it is.
-        let values = if let Cow::Owned(_) = now { values_key(values) } else { String::new() };
+    /// The hash of the look of that number in the state `now`, which objects of `values` wear where
+    /// these set a word of it; others leave the look as it is.
+    fn get(&mut self, look: usize, now: &Look, live: &Live, values: Option<&Values>) -> u64 {
+        let values = values.map(values_key).unwrap_or_default();
         *self.0.entry((look, values)).or_insert_with(|| content_key(now, live))
     }
 }
