@@ -541,18 +541,19 @@ fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
     assert!(!hand.has("Cut-off on the object") && hand.has("Values of Diffuse over the picture"));
 }
 
-/// The difference that automatic tiers may make is set in steps of a screen, where the tier is.
+/// The difference that automatic tiers may make stands where the tier is, and is a step of history.
 #[test]
-fn the_difference_of_automatic_tiers_is_a_field() {
+fn the_difference_of_automatic_tiers_stands_beside_the_tier() {
     use chiaro::document::{MAX_ERROR, Tier};
     let mut hand = User::new();
     hand.app_mut().open(std::path::Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
     assert_eq!((hand.look().tier, hand.look().max_error), (None, MAX_ERROR));
-    hand.set("Difference", "3");
+    assert!(hand.has("Difference"));
+    let wider = chiaro::document::Edit::SetMaxError { max_error: 3.0 / 255.0 };
+    hand.app_mut().session_mut().apply(wider, None).expect("a look has a difference");
+    hand.settle();
     assert!((hand.look().max_error - 3.0 / 255.0).abs() < 1e-12, "{}", hand.look().max_error);
-    hand.set("Difference", "-4");
-    assert_eq!(hand.look().max_error, 0.0, "no difference is below 0");
     hand.undo();
     hand.settle();
     assert_eq!(hand.look().max_error, MAX_ERROR);

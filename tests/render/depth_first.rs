@@ -1,5 +1,5 @@
 //! Quick painted surfaces: depths that are drawn before looks, of which the picture stays the same,
-//! and modules that hold one storage and, by default, taps.
+//! and modules that have taps by default.
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
@@ -114,22 +114,19 @@ fn depths_that_come_first_change_no_pixel() {
 }
 
 /// A step of a screen is more than the balanced tier may be off, so that nobody needs to ask for
-/// its taps; and a module for one storage has no code for the others.
+/// its taps.
 #[test]
-fn a_module_has_one_storage_and_taps_by_default() {
+fn a_module_has_taps_by_default() {
     let path = file("modules", true);
-    for (storage, has_taps, has_pieces) in
-        [("quick", true, false), ("compact", true, true), ("blocks", true, true)]
-    {
+    for storage in ["quick", "compact", "blocks"] {
         let mut setup = setup(&path, storage, 1.0);
         let wgsl = |setup: &Setup| plan(setup, 1).draws[0].look.wgsl.clone();
         setup.looks.iter_mut().for_each(|worn| worn.look.tier = None);
         let default = wgsl(&setup);
-        assert_eq!(default.contains("textureSampleLevel"), has_taps, "{storage}:\n{default}");
+        assert!(default.contains("textureSampleLevel"), "{storage}:\n{default}");
         setup.looks.iter_mut().for_each(|worn| worn.look.tier = Some(Tier::Exact));
         let exact = wgsl(&setup);
         assert!(!exact.contains("textureSampleLevel"), "{storage}:\n{exact}");
-        assert_eq!(exact.contains("fn hcbtf_piece"), has_pieces, "{storage}:\n{exact}");
     }
 }
 

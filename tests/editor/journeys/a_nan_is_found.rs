@@ -105,5 +105,5 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     assert!(mended.object().all(|pixel| pixel[3] == 255) && backdrop[3] == 255);
 
     let wgsl = studio.finish(artist, "look.json");
-    assert!(wgsl.contains("let glow = ") && !wgsl.contains("tone / tone"), "{wgsl}");
+    assert!(wgsl.contains("fn shade(") && !wgsl.contains("tone / tone"), "{wgsl}");
 }

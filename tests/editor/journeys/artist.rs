@@ -122,10 +122,10 @@ impl Studio {
             "{:?}",
             other.errors()
         );
-        other.picture().equals(&picture);
+        other.picture().is_near(&picture);
         drop(other);
 
-        self.rendered(name, &["--mesh", &mesh]).equals(&picture);
+        self.rendered(name, &["--mesh", &mesh]).is_near(&picture);
         self.exported(name)
     }
 }
