@@ -68,8 +68,8 @@ impl Picture {
         assert_eq!(difference.max, 0, "{difference:?}");
     }
 
-    /// Asserts that no channel differs by more than a step: what is painted is drawn without blending
-    /// once a file says that it is opaque, and rounds elsewhere.
+    /// Asserts that no channel differs by more than a step: what is painted is drawn without
+    /// blending once a file says that it is opaque, and rounds elsewhere.
     #[track_caller]
     pub(super) fn is_near(&self, other: &Self) {
         let difference = self.difference_from(other);

@@ -226,7 +226,7 @@ mod tests {
             assert!(!text.is_empty());
             let number = name.split([' ', ';']).find_map(|word| word.parse::<f64>().ok());
             assert_eq!(number, Some(promised), "{file}.wgsl: `{name}`");
-            assert_eq!(f64::from(promised as f32).to_bits(), promised.to_bits(), "{name}");
+            assert!(f64::from(promised as f32) <= promised, "{name}");
         }
     }
 }
