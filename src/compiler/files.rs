@@ -22,6 +22,14 @@ pub trait Files: fmt::Debug {
     /// The reason why the file is not read.
     fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError>;
 
+    /// A file as [`Files::read`] takes it, of which the caller reads the parts that it asks for.
+    ///
+    /// # Errors
+    /// The reason why the file is not read.
+    fn open(&self, path: &Path, most: u64) -> Result<Box<dyn OpenFile>, ReadError> {
+        Ok(Box::new(io::Cursor::new(self.read(path, most)?)))
+    }
+
     /// Kind and state of what lies at a path, links followed; `None` where nothing lies there. An
     /// [example](crate::examples) is a file that never changes.
     fn metadata(&self, path: &Path) -> Option<FileMetadata>;
@@ -46,6 +54,11 @@ pub trait Files: fmt::Debug {
         self.metadata(path).is_some_and(|found| found.kind == FileKind::Plain)
     }
 }
+
+/// File of which any part can be read.
+pub trait OpenFile: io::Read + io::Seek {}
+
+impl<F: io::Read + io::Seek> OpenFile for F {}
 
 /// Files that several threads read from.
 pub type SharedFiles = Arc<dyn Files + Send + Sync>;

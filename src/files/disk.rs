@@ -8,12 +8,14 @@
 
 use std::collections::{HashSet, VecDeque};
 use std::fs::{self, File, Metadata};
-use std::io::Read as _;
+use std::io::{Cursor, Read as _};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use chiaro_compiler::examples;
-use chiaro_compiler::files::{FileKind, FileMetadata, Files, FoundFiles, ReadError, WalkBounds};
+use chiaro_compiler::files::{
+    FileKind, FileMetadata, Files, FoundFiles, OpenFile, ReadError, WalkBounds,
+};
 
 /// The files of the disk.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,6 +24,14 @@ pub struct Disk;
 impl Files for Disk {
     fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
         read(path, most)
+    }
+
+    fn open(&self, path: &Path, most: u64) -> Result<Box<dyn OpenFile>, ReadError> {
+        // Of examples and pipes no part can be skipped.
+        if examples::file(path).is_some() || !fs::metadata(path)?.is_file() {
+            return Ok(Box::new(Cursor::new(read(path, most)?)));
+        }
+        Ok(Box::new(open(path, most)?))
     }
 
     fn metadata(&self, path: &Path) -> Option<FileMetadata> {
@@ -61,15 +71,21 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
     if let Some(example) = examples::file(path) {
         return Ok(example.to_vec());
     }
+    let file = open(path, most)?;
+    let mut bytes = Vec::new();
+    // One byte beyond the bound reveals a longer file, whatever length the file claims.
+    file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most { Err(ReadError::TooLarge { most }) } else { Ok(bytes) }
+}
+
+/// Opens a file of at most `most` bytes.
+fn open(path: &Path, most: u64) -> Result<File, ReadError> {
     // The first check precedes opening: opening a pipe waits for somebody who writes.
     check(&fs::metadata(path)?, path, most)?;
     let file = File::open(path)?;
     // Another file may have taken the path since the first check.
     check(&file.metadata()?, path, most)?;
-    let mut bytes = Vec::new();
-    // One byte beyond the bound reveals a longer file, whatever length the file claims.
-    file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > most { Err(ReadError::TooLarge { most }) } else { Ok(bytes) }
+    Ok(file)
 }
 
 /// Refuses special files and files of more than `most` bytes. A folder passes: reading it fails,

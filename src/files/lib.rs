@@ -15,8 +15,8 @@ mod outputs;
 mod write;
 
 pub use chiaro_compiler::files::{
-    FileKind, FileMetadata, Files, FoundFiles, MemoryFiles, ReadError, SharedFiles, WalkBounds,
-    is_utf16,
+    FileKind, FileMetadata, Files, FoundFiles, MemoryFiles, OpenFile, ReadError, SharedFiles,
+    WalkBounds, is_utf16,
 };
 pub use disk::{Disk, read, walk};
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};

@@ -10,6 +10,32 @@ use super::gpu::Gpu;
 use crate::compile::VertexAttribute;
 use crate::geometry::Mesh;
 
+/// Number of bytes that are uploaded at a time.
+const UPLOAD: usize = 32 << 20;
+
+/// A buffer of these contents, whose length is a multiple of 4. Long ones go piece by piece: what
+/// is on its way to a GPU lies in the memory of the program once more.
+fn upload(gpu: &Gpu, label: &str, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    if contents.len() <= UPLOAD {
+        let label = Some(label);
+        let described = wgpu::util::BufferInitDescriptor { label, contents, usage };
+        return gpu.device.create_buffer_init(&described);
+    }
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: contents.len() as u64,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    for (piece, place) in contents.chunks(UPLOAD).zip((0..).step_by(UPLOAD)) {
+        gpu.queue.write_buffer(&buffer, place, piece);
+        gpu.queue.submit([]);
+        // Whoever draws next is told where the device is lost.
+        gpu.wait().ok();
+    }
+    buffer
+}
+
 /// Buffers of a mesh.
 #[derive(Debug)]
 struct MeshBuffers {
@@ -40,13 +66,7 @@ impl Meshes {
 
     /// Uploads the indices and the attributes of a mesh that are not on the GPU yet.
     pub(super) fn prepare(&self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[VertexAttribute]) {
-        let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
-        };
+        let buffer = |label: &str, contents: &[u8], usage| upload(gpu, label, contents, usage);
         let key = Arc::as_ptr(mesh) as usize;
         let mut table = self.lock();
         let MeshTable { known, uploads } = &mut *table;

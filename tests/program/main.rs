@@ -7,4 +7,6 @@ mod cli;
 mod desktop;
 mod fit;
 mod gallery;
+#[cfg(target_os = "linux")]
+mod memory;
 mod outputs;

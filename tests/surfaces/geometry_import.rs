@@ -1,5 +1,7 @@
 //! Small mesh files of every format: whole, wrong and cut short.
 
+use std::io::Cursor;
+
 use crate::support::cases::hold;
 use chiaro::diag::{Diagnostic, LineColumn, WithWarnings};
 use chiaro::files::Disk;
@@ -518,8 +520,10 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
         );
     }
 
-    let beside: Siblings =
-        &|name| (name == "my mesh.bin").then(gltf_bytes).ok_or_else(|| "not found".to_owned());
+    let beside: Siblings = &|name| match name {
+        "my mesh.bin" => Ok(Box::new(Cursor::new(gltf_bytes()))),
+        _ => Err("not found".to_owned()),
+    };
     let named = gltf_json(r#", "uri": "my%20mesh.bin""#);
     assert_eq!(import("x.gltf", named.as_bytes(), beside).unwrap().value, mesh);
     assert_eq!(read("x.glb", glb(&gltf_json(""), &gltf_bytes())).value, mesh);

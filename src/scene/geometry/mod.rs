@@ -2,9 +2,9 @@
 //!
 //! A file's bytes become a `soup::TriangleSoup` (points and corners as the file has them:
 //! `import/`, one reader a format); `build` turns the soup into a [`Mesh`] that a GPU can draw:
-//! degenerate triangles dropped, missing normals made (`normals`), corners joined to vertices,
-//! tangents made or kept (`tangents`), triangles sorted by material. The built-in shapes (`shapes`)
-//! go the same way from formulas.
+//! degenerate triangles dropped, missing normals made (`normals`), corners joined to vertices
+//! (`vertices`), tangents made or kept (`tangents`), triangles sorted by material. The built-in
+//! shapes (`shapes`) go the same way from formulas.
 
 mod build;
 mod closed;
@@ -16,6 +16,7 @@ mod shapes;
 mod soup;
 mod tangents;
 mod triangulate;
+mod vertices;
 
 pub use import::{
     MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,

@@ -15,7 +15,6 @@
 
 use glam::DVec3;
 
-use super::map::{MeshMap, with_room};
 use super::soup::{NONE, TriangleSoup};
 
 /// Greatest angle by which an edge may bend within a smooth region where normals are made, in
@@ -29,16 +28,6 @@ pub const CREASE_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 /// no quadratic time.
 const MAX_COMPARED: usize = 16;
 
-/// The index, for each point, of the first point at the same position (-0 and 0 are the same).
-pub(super) fn weld<const N: usize>(points: &[[f32; N]]) -> Vec<u32> {
-    let mut first_at: MeshMap<[u32; N], u32> = with_room(points.len());
-    points
-        .iter()
-        .enumerate()
-        .map(|(i, p)| *first_at.entry(p.map(|c| (c + 0.0).to_bits())).or_insert(i as u32))
-        .collect()
-}
-
 /// The position of a point in f64.
 pub(super) fn place(points: &[[f32; 3]], index: u32) -> DVec3 {
     DVec3::from(points[index as usize].map(f64::from))
@@ -51,46 +40,48 @@ pub(super) fn corner_angle(at: DVec3, b: DVec3, c: DVec3) -> f64 {
 }
 
 /// Gives a made normal to every corner that names none, or one of length 0, and appends these
-/// normals to `soup.normals`. `welded` is the result of [`weld`]; triangles must not be degenerate.
-/// Returns the number of corners that were given a normal.
+/// normals to `soup.normals`. `welded` are the [first points](super::map::weld) at each position;
+/// triangles must not be degenerate. Returns the number of corners that were given a normal.
 pub(super) fn make_missing(soup: &mut TriangleSoup, welded: &[u32], crease_angle: f64) -> usize {
-    for corner in soup.triangles.iter_mut().flatten() {
-        if corner.normal != NONE && soup.normals[corner.normal as usize] == [0.0; 3] {
-            corner.normal = NONE;
-        }
-    }
-    let missing = soup.triangles.iter().flatten().filter(|corner| corner.normal == NONE).count();
+    let lacks_normal = |soup: &TriangleSoup, normal: u32| {
+        normal == NONE || soup.normals[normal as usize] == [0.0; 3]
+    };
+    let corners = soup.triangles.iter().flatten();
+    let missing = corners.filter(|corner| lacks_normal(soup, corner.normal)).count();
     if missing == 0 {
         return 0;
     }
-    let faces: Vec<DVec3> =
-        soup.triangles.iter().map(|t| face_normal(&soup.points, t.map(|c| c.point))).collect();
-    let mut sectors = Sectors::new(soup.triangles.len() * 3);
-    join_over_edges(soup, welded, &faces, crease_angle, &mut sectors);
+    let triangles = soup.triangles.points();
+    let faces: Vec<DVec3> = triangles.iter().map(|t| face_normal(&soup.points, *t)).collect();
+    let mut sectors = Sectors::new(triangles.len() * 3);
+    join_over_edges(triangles, welded, &faces, crease_angle, &mut sectors);
 
-    let mut sums = vec![DVec3::ZERO; soup.triangles.len() * 3];
-    for (t, corners) in soup.triangles.iter().enumerate() {
-        let at = corners.map(|c| place(&soup.points, c.point));
+    let mut sums = vec![DVec3::ZERO; triangles.len() * 3];
+    for (t, points) in triangles.iter().enumerate() {
+        let at = points.map(|point| place(&soup.points, point));
         for k in 0..3 {
             let angle = corner_angle(at[k], at[(k + 1) % 3], at[(k + 2) % 3]);
             sums[sectors.root(t * 3 + k)] += faces[t] * angle;
         }
     }
     let mut made = vec![NONE; sums.len()];
-    for (t, &face) in faces.iter().enumerate() {
-        for k in 0..3 {
-            if soup.triangles[t][k].normal != NONE {
+    let (of_file, mut normals) = (soup.normals.len(), std::mem::take(&mut soup.normals));
+    for ((t, &face), of_corners) in faces.iter().enumerate().zip(soup.triangles.normals_mut()) {
+        for (k, normal) in of_corners.iter_mut().enumerate() {
+            let given = normals[..of_file].get(*normal as usize);
+            if given.is_some_and(|given| *given != [0.0; 3]) {
                 continue;
             }
             let root = sectors.root(t * 3 + k);
             if made[root] == NONE {
-                made[root] = soup.normals.len() as u32;
+                made[root] = normals.len() as u32;
                 // Faces that cancel out exactly leave no direction but their own.
-                soup.normals.push(sums[root].try_normalize().unwrap_or(face).as_vec3().into());
+                normals.push(sums[root].try_normalize().unwrap_or(face).as_vec3().into());
             }
-            soup.triangles[t][k].normal = made[root];
+            *normal = made[root];
         }
     }
+    soup.normals = normals;
     missing
 }
 
@@ -103,18 +94,18 @@ fn face_normal(points: &[[f32; 3]], [a, b, c]: [u32; 3]) -> DVec3 {
 
 /// Joins the corners on either side of every edge that bends by at most `crease_angle`.
 fn join_over_edges(
-    soup: &TriangleSoup,
+    triangles: &[[u32; 3]],
     welded: &[u32],
     faces: &[DVec3],
     crease_angle: f64,
     sectors: &mut Sectors,
 ) {
     // (lower point, upper point, corner at the lower point, corner at the upper point)
-    let mut edges: Vec<[u32; 4]> = Vec::with_capacity(soup.triangles.len() * 3);
-    for (t, corners) in soup.triangles.iter().enumerate() {
+    let mut edges: Vec<[u32; 4]> = Vec::with_capacity(triangles.len() * 3);
+    for (t, points) in triangles.iter().enumerate() {
         for k in 0..3 {
             let next = (k + 1) % 3;
-            let (a, b) = (welded[corners[k].point as usize], welded[corners[next].point as usize]);
+            let (a, b) = (welded[points[k] as usize], welded[points[next] as usize]);
             let (at_a, at_b) = ((t * 3 + k) as u32, (t * 3 + next) as u32);
             edges.push(if a < b { [a, b, at_a, at_b] } else { [b, a, at_b, at_a] });
         }

@@ -12,10 +12,13 @@
 //! triangles of a non-manifold edge are paired in one sweep, and around a point of more than
 //! [`MAX_COMPARED`] triangles opposite directions stay in.
 
+use std::ops::Range;
+
 use glam::{DVec3, Vec3};
 
-use super::map::{MeshMap, with_room};
-use super::soup::{Corner, NONE, TriangleSoup};
+use super::map::{MeshMap, bits, first_equal, vertex_ranges};
+use super::soup::NONE;
+use super::vertices::Vertices;
 
 /// Greatest size of a group in which opposite directions are looked for, in triangles.
 const MAX_COMPARED: usize = 512;
@@ -24,56 +27,52 @@ const MAX_COMPARED: usize = 512;
 /// they are rounded.
 const SAME_SIDE: f32 = 0.01;
 
-/// Tangents of a soup's corners.
+/// Tangents made for the vertices of a mesh.
 #[derive(Debug, Default)]
-pub(super) struct CornerTangents {
-    /// Different tangents, each once: `xyz` of unit length, `w` 1 or, where UVs are mirrored, -1.
+pub(super) struct MadeTangents {
+    /// Tangents of the vertices: `xyz` of unit length, `w` 1 or, where UVs are mirrored, -1; `w` is
+    /// 0 where none was made. Empty where none was made at all.
     pub(super) tangents: Vec<[f32; 4]>,
-    /// Indices into `tangents` of the corners of each triangle of the soup; [`NONE`] where UVs
-    /// determine no tangent.
-    pub(super) of_corner: Vec<[u32; 3]>,
+    /// Further vertices, numbered after the others.
+    pub(super) copies: Vec<VertexCopy>,
 }
 
-/// Makes the tangents of all triangles that have UVs and lack tangents of their own. `vertex_of`
-/// gives equal numbers to corners that are one vertex; no triangle has two corners at one position.
-pub(super) fn of_corners(
-    soup: &TriangleSoup,
-    vertex_of: impl Fn(&Corner) -> [u32; 3],
-) -> CornerTangents {
-    let lacks = |t: &usize| {
-        let corners = &soup.triangles[*t];
-        corners.iter().all(|c| c.uv != NONE) && !corners.iter().all(|c| soup.has_tangent(c.point))
+/// Vertex that differs from another in its tangent alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct VertexCopy {
+    /// The other vertex, which is no copy.
+    pub(super) of: u32,
+    pub(super) tangent: [f32; 4],
+}
+
+/// Makes the tangents of all triangles that have UVs and lack tangents of their own. Corners at one
+/// vertex that get different tangents are parted: `triangles` then name the copies. No triangle has
+/// two corners at one position.
+pub(super) fn make(vertices: &Vertices, triangles: &mut [[u32; 3]]) -> MadeTangents {
+    let lacks = |corners: &[u32; 3]| {
+        corners.iter().all(|&v| vertices.has_uv(v))
+            && !corners.iter().all(|&v| vertices.has_tangent(v))
     };
-    let triangles: Vec<u32> =
-        (0..soup.triangles.len()).filter(lacks).map(|triangle| triangle as u32).collect();
-    let mut known: MeshMap<[u32; 3], u32> = with_room(triangles.len());
-    let vertices: Vec<[u32; 3]> = triangles
-        .iter()
-        .map(|&t| {
-            soup.triangles[t as usize].each_ref().map(|corner| {
-                let next = known.len() as u32;
-                *known.entry(vertex_of(corner)).or_insert(next)
-            })
-        })
-        .collect();
-    drop(known);
-    let faces = triangles.iter().map(|&t| FaceDirections::new(soup, t as usize).face()).collect();
-    let mut space = TangentSpace { soup, triangles: &triangles, vertices: &vertices, faces };
-    let mut result =
-        CornerTangents { of_corner: vec![[NONE; 3]; soup.triangles.len()], ..Default::default() };
-    let mut known = MeshMap::default();
-    space.visit_groups(&neighbors(&vertices), &mut |corner, tangent| {
-        let (triangle, k) = (triangles[corner / 3] as usize, corner % 3);
-        if soup.has_tangent(soup.triangles[triangle][k].point) {
-            return;
-        }
-        let index = *known.entry(tangent.map(f32::to_bits)).or_insert_with(|| {
-            result.tangents.push(tangent);
-            result.tangents.len() as u32 - 1
-        });
-        result.of_corner[triangle][k] = index;
+    if !triangles.iter().any(lacks) {
+        return MadeTangents::default();
+    }
+    let count = vertices.positions.len();
+    let first = first_equal(count, |vertex| {
+        let uv = vertices.has_uv(vertex as u32).then(|| bits(vertices.uvs[vertex]));
+        (bits(vertices.positions[vertex]), bits(vertices.normals[vertex]), uv)
     });
-    result
+    let mut space = TangentSpace {
+        vertices,
+        first,
+        faces: Vec::new(),
+        triangles,
+        made: MadeTangents { tangents: vec![[0.0; 4]; count], copies: Vec::new() },
+        copies: MeshMap::default(),
+    };
+    space.faces =
+        space.triangles.iter().map(|t| if lacks(t) { space.face(t) } else { Face::NONE }).collect();
+    space.visit_all();
+    space.made
 }
 
 /// A vector scaled to length 1, or unchanged if it is 0 by the reference's test.
@@ -98,12 +97,29 @@ fn laid_into_plane(v: Vec3, normal: Vec3) -> Vec3 {
 
 /// A triangle's part in groups. Its directions are computed when they are asked for: those of all
 /// triangles of a scan would take more memory than its file.
-#[derive(Clone, Copy)]
-struct Face {
-    /// True if the UVs run the same way round as the triangle does.
-    is_preserving: bool,
-    /// True if the UVs determine so little that the triangle takes the direction of its neighbors.
-    joins_any: bool,
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Face(u8);
+
+impl Face {
+    /// A triangle that gets no tangents.
+    const NONE: Self = Self(0);
+    /// Set on triangles that get tangents.
+    const TAKES_PART: u8 = 1;
+    /// Set where the UVs run the same way round as the triangle does.
+    const IS_PRESERVING: u8 = 2;
+    /// Set where the UVs determine so little that the triangle takes the direction of its
+    /// neighbors.
+    const JOINS_ANY: u8 = 4;
+    /// Set once one of the triangle's corners has a group.
+    const HAS_GROUP: u8 = 8;
+
+    fn is(self, flag: u8) -> bool {
+        self.0 & flag != 0
+    }
+
+    fn set(&mut self, flag: u8, value: bool) {
+        self.0 = if value { self.0 | flag } else { self.0 & !flag };
+    }
 }
 
 /// A triangle's directions of growing UVs.
@@ -116,14 +132,10 @@ struct FaceDirections {
 }
 
 impl FaceDirections {
-    fn face(&self) -> Face {
-        Face { is_preserving: self.is_preserving, joins_any: self.joins_any }
-    }
-
-    fn new(soup: &TriangleSoup, triangle: usize) -> Self {
-        let corners = &soup.triangles[triangle];
-        let at = corners.map(|c| Vec3::from(soup.points[c.point as usize]));
-        let uv = corners.map(|c| soup.uvs[c.uv as usize]);
+    /// Directions of a triangle of these vertices.
+    fn new(vertices: &Vertices, corners: [u32; 3]) -> Self {
+        let at = corners.map(|v| Vec3::from(vertices.positions[v as usize]));
+        let uv = corners.map(|v| vertices.uvs[v as usize]);
         let (edge1, edge2) = (at[1] - at[0], at[2] - at[0]);
         let [[u1, v1], [u2, v2]] = [1, 2].map(|k| [0, 1].map(|i| uv[k][i] - uv[0][i]));
         let area = u1 * v2 - v1 * u2;
@@ -145,68 +157,71 @@ impl FaceDirections {
     }
 }
 
-/// The neighbor of each corner: the triangle on the other side of the edge from that corner to the
-/// next, or [`NONE`]. Of several triangles at one edge, those that run along it in opposite
-/// directions are paired in their order.
-fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
-    let edge = |corner: usize| {
-        let (a, b) = (vertices[corner / 3][corner % 3], vertices[corner / 3][(corner + 1) % 3]);
-        [a.min(b), a.max(b)]
-    };
-    let (starts, mut edges) = by_lower_vertex(vertices.len() * 3, edge);
-    let mut neighbors = vec![NONE; edges.len()];
-    // Corners that wait for a partner of the other direction: all of them run the same way.
-    let mut waiting: Vec<u32> = Vec::new();
-    for (lower, range) in starts.windows(2).enumerate() {
-        let is_upward =
-            |corner: u32| vertices[corner as usize / 3][corner as usize % 3] as usize == lower;
-        let of_lower = &mut edges[range[0]..range[1]];
-        of_lower.sort_unstable();
-        for run in of_lower.chunk_by(|a, b| a[0] == b[0]) {
+/// The corners at some vertices, with their neighbors.
+#[derive(Default)]
+struct Corners {
+    /// Corners, each three times its triangle's index and the number of the corner in it, by their
+    /// vertices, and of one vertex in ascending order.
+    corners: Vec<u32>,
+    /// Neighbors of each corner, as indices into `corners`, over the edges to the triangle's next
+    /// corner and from the one before; [`NONE`] where there are none.
+    neighbors: Vec<[u32; 2]>,
+}
+
+impl Corners {
+    /// Pairs the edges at a vertex, whose corners are `range` of the list. Of several triangles at
+    /// one edge, those that run along it in opposite directions are paired in their order. `ends`
+    /// gives the vertices to which the two edges of a corner lead.
+    fn pair(
+        &mut self,
+        range: Range<usize>,
+        ends: impl Fn(u32) -> [u32; 2],
+        edges: &mut Vec<EdgeEnd>,
+    ) {
+        edges.clear();
+        for at in range {
+            let corner = self.corners[at];
+            let (triangle, k) = (corner / 3, corner % 3);
+            for (side, (end, first)) in ends(corner).into_iter().zip([k, (k + 2) % 3]).enumerate() {
+                edges.push(EdgeEnd { end, edge: 3 * triangle + first, at: at as u32, side });
+            }
+        }
+        edges.sort_unstable_by_key(|edge| (edge.end, edge.edge));
+        // Edges that wait for a partner of the other direction: all of them run the same way.
+        let mut waiting: Vec<EdgeEnd> = Vec::new();
+        for run in edges.chunk_by(|a, b| a.end == b.end) {
             let mut first_waiting = 0;
             waiting.clear();
-            for &[_, corner] in run {
+            for edge in run {
                 match waiting.get(first_waiting) {
-                    Some(&other) if is_upward(other) != is_upward(corner) => {
-                        neighbors[corner as usize] = other / 3;
-                        neighbors[other as usize] = corner / 3;
+                    Some(other) if other.side != edge.side => {
+                        self.neighbors[edge.at as usize][edge.side] = other.at;
+                        self.neighbors[other.at as usize][other.side] = edge.at;
                         first_waiting += 1;
                     }
-                    _ => waiting.push(corner),
+                    _ => waiting.push(*edge),
                 }
             }
         }
     }
-    neighbors
 }
 
-/// The upper vertex and the corner of every edge, by the edges' lower vertices, with the place
-/// where the edges of each vertex begin, and the end of the last one's. `edge` gives the lower and
-/// the upper vertex of the edge from a corner to the next.
-fn by_lower_vertex(
-    corners: usize,
-    edge: impl Fn(usize) -> [u32; 2],
-) -> (Vec<usize>, Vec<[u32; 2]>) {
-    let count = (0..corners).map(|corner| edge(corner)[0] as usize + 1).max().unwrap_or_default();
-    let mut starts = vec![0; count + 1];
-    (0..corners).for_each(|corner| starts[edge(corner)[0] as usize + 1] += 1);
-    for vertex in 0..count {
-        starts[vertex + 1] += starts[vertex];
-    }
-    let mut next = starts.clone();
-    let mut edges = vec![[0; 2]; corners];
-    for corner in 0..corners {
-        let [lower, upper] = edge(corner);
-        let place = &mut next[lower as usize];
-        edges[*place] = [upper, corner as u32];
-        *place += 1;
-    }
-    (starts, edges)
+/// One of the two edges at a corner.
+#[derive(Clone, Copy)]
+struct EdgeEnd {
+    /// Vertex at the edge's other end.
+    end: u32,
+    /// The corner that the edge begins at.
+    edge: u32,
+    /// Index of the corner in the list of corners.
+    at: u32,
+    /// 0 for the edge that leaves the corner, 1 for the one that comes to it.
+    side: usize,
 }
 
 /// A triangle's share in a group.
 struct Member {
-    corner: usize,
+    corner: u32,
     /// Direction of growing u, weighted by the corner's angle; 0 for triangles that join any group.
     weighted: Vec3,
     /// Directions of growing u and v in the vertex's plane.
@@ -214,71 +229,148 @@ struct Member {
     joins_any: bool,
 }
 
-/// Receiver of tangents: takes a corner of the triangles that get tangents, and its tangent.
-type TangentSink<'g> = &'g mut dyn FnMut(usize, [f32; 4]);
-
 struct TangentSpace<'a> {
-    soup: &'a TriangleSoup,
-    /// Indices of the soup's triangles that get tangents.
-    triangles: &'a [u32],
-    vertices: &'a [[u32; 3]],
+    vertices: &'a Vertices,
+    /// The first vertex of equal position, normal and UV, of each vertex.
+    first: Vec<u32>,
     faces: Vec<Face>,
+    triangles: &'a mut [[u32; 3]],
+    made: MadeTangents,
+    /// Numbers of the copies, by their vertices and tangents.
+    copies: MeshMap<(u32, [u32; 4]), u32>,
 }
 
 impl TangentSpace<'_> {
-    /// Finds the groups one after another and gives the tangent of each of their corners.
-    fn visit_groups(&mut self, neighbors: &[u32], give: TangentSink<'_>) {
-        let mut has_group = vec![false; neighbors.len()];
-        let mut group: Vec<usize> = Vec::new();
-        let mut open: Vec<u32> = Vec::new();
-        for start in 0..neighbors.len() {
-            let face = self.faces[start / 3];
-            if face.joins_any || has_group[start] {
-                continue;
-            }
-            group.clear();
-            open.push(start as u32 / 3);
-            while let Some(triangle) = open.pop() {
-                let triangle = triangle as usize;
-                let vertex = self.vertices[start / 3][start % 3];
-                let Some(k) = self.vertices[triangle].iter().position(|&v| v == vertex) else {
-                    continue;
-                };
-                let corner = triangle * 3 + k;
-                if has_group[corner] {
-                    continue;
-                }
-                let is_free = !has_group[triangle * 3..triangle * 3 + 3].contains(&true);
-                let own = &mut self.faces[triangle];
-                if own.joins_any && is_free {
-                    own.is_preserving = face.is_preserving;
-                }
-                if own.is_preserving != face.is_preserving {
-                    continue;
-                }
-                has_group[corner] = true;
-                group.push(corner);
-                open.extend(
-                    [(k + 2) % 3, k]
-                        .map(|edge| neighbors[triangle * 3 + edge])
+    /// Vertices of a triangle, where copies are what they are copies of.
+    fn corners(&self, triangle: usize) -> [u32; 3] {
+        let count = self.vertices.positions.len();
+        self.triangles[triangle].map(|vertex| match (vertex as usize).checked_sub(count) {
+            Some(copy) => self.made.copies[copy].of,
+            None => vertex,
+        })
+    }
+
+    fn face(&self, corners: &[u32; 3]) -> Face {
+        let directions = FaceDirections::new(self.vertices, *corners);
+        let mut face = Face(Face::TAKES_PART);
+        face.set(Face::IS_PRESERVING, directions.is_preserving);
+        face.set(Face::JOINS_ANY, directions.joins_any);
+        face
+    }
+
+    /// Makes the tangents at all vertices. What a group gives depends on others only by triangles
+    /// that join any of them, so the vertices of those come first, together, and all others a few
+    /// at a time.
+    fn visit_all(&mut self) {
+        let count = self.first.len();
+        let mut is_loose = Vec::new();
+        if self.faces.iter().any(|face| face.is(Face::JOINS_ANY)) {
+            is_loose = vec![false; count];
+            for (triangle, face) in self.faces.iter().enumerate() {
+                if face.is(Face::JOINS_ANY) {
+                    self.triangles[triangle]
                         .iter()
-                        .filter(|n| **n != NONE),
-                );
+                        .for_each(|&v| is_loose[self.first[v as usize] as usize] = true);
+                }
             }
-            group.sort_unstable();
-            self.give_tangents(&group, face.is_preserving, give);
+            self.visit(0..count as u32, |vertex| is_loose[vertex as usize]);
+        }
+        for range in vertex_ranges(count, 3 * self.triangles.len()) {
+            let is_bound = |vertex: u32| is_loose.get(vertex as usize) != Some(&true);
+            self.visit(range, is_bound);
         }
     }
 
+    /// Finds the groups at those of a range's vertices that are `chosen`, one after another in the
+    /// order of their corners, and gives each of their corners its tangent.
+    fn visit(&mut self, range: Range<u32>, chosen: impl Fn(u32) -> bool) {
+        let (corners, order) = self.corners_of(range, chosen);
+        let mut has_group = vec![false; corners.corners.len()];
+        let mut group: Vec<u32> = Vec::new();
+        let mut open: Vec<u32> = Vec::new();
+        for start in order {
+            let face = self.faces[corners.corners[start as usize] as usize / 3];
+            if face.is(Face::JOINS_ANY) || has_group[start as usize] {
+                continue;
+            }
+            group.clear();
+            open.push(start);
+            while let Some(at) = open.pop() {
+                let corner = corners.corners[at as usize];
+                let own = &mut self.faces[corner as usize / 3];
+                if has_group[at as usize] {
+                    continue;
+                }
+                if own.is(Face::JOINS_ANY) && !own.is(Face::HAS_GROUP) {
+                    own.set(Face::IS_PRESERVING, face.is(Face::IS_PRESERVING));
+                }
+                if own.is(Face::IS_PRESERVING) != face.is(Face::IS_PRESERVING) {
+                    continue;
+                }
+                own.set(Face::HAS_GROUP, true);
+                has_group[at as usize] = true;
+                group.push(corner);
+                open.extend(corners.neighbors[at as usize].iter().filter(|next| **next != NONE));
+            }
+            group.sort_unstable();
+            self.give_tangents(&group, face.is(Face::IS_PRESERVING));
+        }
+    }
+
+    /// The corners at those of a range's vertices that are `chosen`, and their indices by the
+    /// corners' order.
+    fn corners_of(&self, range: Range<u32>, chosen: impl Fn(u32) -> bool) -> (Corners, Vec<u32>) {
+        let place = |vertex: u32| {
+            let first = self.first[vertex as usize];
+            (range.contains(&first) && chosen(first)).then(|| (first - range.start) as usize)
+        };
+        let taking_part = || {
+            let faces = self.faces.iter().enumerate();
+            faces.filter(|(_, face)| face.is(Face::TAKES_PART)).map(|(triangle, _)| triangle)
+        };
+        let mut starts = vec![0_u32; range.len() + 1];
+        for triangle in taking_part() {
+            for place in self.corners(triangle).into_iter().filter_map(place) {
+                starts[place + 1] += 1;
+            }
+        }
+        for vertex in 0..range.len() {
+            starts[vertex + 1] += starts[vertex];
+        }
+        let count = starts[range.len()] as usize;
+        let mut found = Corners { corners: vec![0; count], neighbors: vec![[NONE; 2]; count] };
+        let mut order = Vec::with_capacity(count);
+        for triangle in taking_part() {
+            for (k, vertex) in self.corners(triangle).into_iter().enumerate() {
+                let Some(place) = place(vertex) else { continue };
+                found.corners[starts[place] as usize] = (3 * triangle + k) as u32;
+                order.push(starts[place]);
+                starts[place] += 1;
+            }
+        }
+        let ends = |corner: u32| {
+            let (corners, k) = (self.corners(corner as usize / 3), corner as usize % 3);
+            [1, 2].map(|next| self.first[corners[(k + next) % 3] as usize])
+        };
+        let mut edges = Vec::new();
+        let mut start = 0;
+        // Each start is now where the next vertex's corners start.
+        for &end in &starts[..range.len()] {
+            found.pair(start..end as usize, ends, &mut edges);
+            start = end as usize;
+        }
+        (found, order)
+    }
+
     /// Gives the tangents of a group's corners.
-    fn give_tangents(&self, group: &[usize], is_preserving: bool, give: TangentSink<'_>) {
+    fn give_tangents(&mut self, group: &[u32], is_preserving: bool) {
         let normal = self.normal(group[0]);
         let members: Vec<Member> =
             group.iter().map(|&corner| self.member(corner, normal)).collect();
         let sign = if is_preserving { 1.0 } else { -1.0 };
-        let mut give_sum = |corner: usize, sum: Vec3| {
+        let mut give_sum = |corner: u32, sum: Vec3| {
             if let Some(tangent) = upright(unit(sum), normal) {
-                give(corner, tangent.extend(sign).to_array());
+                self.give(corner, tangent.extend(sign).to_array());
             }
         };
         if members.len() > MAX_COMPARED || are_on_one_side(&members) {
@@ -297,29 +389,51 @@ impl TangentSpace<'_> {
         }
     }
 
-    fn normal(&self, corner: usize) -> Vec3 {
-        let corner = self.soup.triangles[self.triangles[corner / 3] as usize][corner % 3];
-        Vec3::from(self.soup.normals[corner.normal as usize])
+    /// Gives a corner its tangent, and another vertex if its own has another tangent.
+    fn give(&mut self, corner: u32, tangent: [f32; 4]) {
+        let (triangle, k) = (corner as usize / 3, corner as usize % 3);
+        let vertex = self.triangles[triangle][k];
+        if self.vertices.has_tangent(vertex) {
+            return;
+        }
+        let own = &mut self.made.tangents[vertex as usize];
+        if own[3] == 0.0 {
+            *own = tangent;
+        }
+        let bits = tangent.map(f32::to_bits);
+        if own.map(f32::to_bits) == bits {
+            return;
+        }
+        let copies = &mut self.made.copies;
+        let copy = self.copies.entry((vertex, bits)).or_insert_with(|| {
+            copies.push(VertexCopy { of: vertex, tangent });
+            copies.len() as u32 - 1
+        });
+        self.triangles[triangle][k] = self.vertices.positions.len() as u32 + *copy;
     }
 
-    fn member(&self, corner: usize, normal: Vec3) -> Member {
-        let face = &self.faces[corner / 3];
-        let triangle = self.triangles[corner / 3] as usize;
-        let directions = FaceDirections::new(self.soup, triangle);
+    fn normal(&self, corner: u32) -> Vec3 {
+        let vertex = self.corners(corner as usize / 3)[corner as usize % 3];
+        Vec3::from(self.vertices.normals[vertex as usize])
+    }
+
+    fn member(&self, corner: u32, normal: Vec3) -> Member {
+        let triangle = corner as usize / 3;
+        let corners = self.corners(triangle);
+        let directions = FaceDirections::new(self.vertices, corners);
         let along = [directions.along_u, directions.along_v].map(|v| laid_into_plane(v, normal));
         let mut weighted = Vec3::ZERO;
-        if !face.joins_any {
-            let corners = &self.soup.triangles[triangle];
+        if !directions.joins_any {
             let [own, after, before] = [0, 1, 2].map(|next| {
-                let corner = corners[(corner + next) % 3];
-                Vec3::from(self.soup.points[corner.point as usize])
+                let vertex = corners[(corner as usize + next) % 3];
+                Vec3::from(self.vertices.positions[vertex as usize])
             });
             let [after, before] = [after, before].map(|at| laid_into_plane(at - own, normal));
             let cosine = dot(after, before).clamp(-1.0, 1.0);
             // The arc cosine is that of f64, as in the reference.
             weighted = along[0] * f64::from(cosine).acos() as f32;
         }
-        Member { corner, weighted, along, joins_any: face.joins_any }
+        Member { corner, weighted, along, joins_any: directions.joins_any }
     }
 }
 

@@ -16,11 +16,6 @@ impl<'a> Cursor<'a> {
         Self { rest: bytes, big_endian: true }
     }
 
-    /// Number of bytes left to read.
-    pub(super) fn left(&self) -> usize {
-        self.rest.len()
-    }
-
     /// The next `count` bytes, or `None` where there are fewer.
     pub(super) fn take(&mut self, count: usize) -> Option<&'a [u8]> {
         let (taken, rest) = self.rest.split_at_checked(count)?;
@@ -47,11 +42,6 @@ impl<'a> Cursor<'a> {
             NumberType::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
             NumberType::F64 => f64::from_le_bytes(bytes),
         })
-    }
-
-    /// The next `u32`.
-    pub(super) fn u32(&mut self) -> Option<u32> {
-        self.number(NumberType::U32).map(|n| n as u32)
     }
 
     /// The next three `f32`.

@@ -1,7 +1,8 @@
 //! Import of mesh files: [`import`] takes bytes and a name, so that it also works where there are
 //! no paths; [`load`] reads the bytes of a path from [`Files`].
 //!
-//! Each format has one reader, which gives a [`TriangleSoup`]. All readers check lengths against
+//! Each format has one reader, which gives a [`TriangleSoup`]; those of glTF and PLY read the
+//! file in pieces, those of OBJ and STL take it whole. All readers check lengths against
 //! [`MAX_FILE_BYTES`], [`MAX_VERTICES`], [`MAX_TRIANGLES`] and the bytes left in the file before
 //! they allocate, and report through [`ImportReport`].
 
@@ -10,17 +11,20 @@ mod gltf;
 mod obj;
 mod ply;
 mod report;
+mod source;
 mod stl;
 
+use std::io::{self, Cursor};
 use std::path::Path;
 
-use self::report::ImportReport;
+use self::report::{ImportProblem, ImportReport};
+use self::source::Source;
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::TriangleSoup;
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::files::{self, Files};
+use crate::files::{self, Files, OpenFile};
 
 /// Greatest length of a file (or of a buffer beside a glTF) that is read, in bytes; longer ones are
 /// refused.
@@ -29,6 +33,9 @@ pub const MAX_FILE_BYTES: u64 = 1 << 30;
 pub const MAX_VERTICES: usize = 1 << 24;
 /// Greatest number of triangles in a file; files of more are refused.
 pub const MAX_TRIANGLES: usize = 1 << 24;
+
+/// Number of bytes at the beginning of a file that tell its format.
+const HEAD: u64 = 1 << 10;
 
 /// Greatest coordinate of a vertex: a scene may scale it a million times and still stay within what
 /// shaders are promised ([`MAX_PLACE`](crate::library::MAX_PLACE)).
@@ -39,13 +46,13 @@ const RADII: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
 /// Reader of the files that a glTF names, by their names relative to it; the error says why a file
 /// cannot be read.
-pub type Siblings<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+pub type Siblings<'a> = &'a dyn Fn(&str) -> Result<Box<dyn OpenFile>, String>;
 
 /// The `Siblings` of a file that no other file can lie beside, for [`import`].
 ///
 /// # Errors
 /// Always.
-pub fn no_siblings(_: &str) -> Result<Vec<u8>, String> {
+pub fn no_siblings(_: &str) -> Result<Box<dyn OpenFile>, String> {
     Err("only the file itself was given".to_owned())
 }
 
@@ -59,19 +66,23 @@ pub fn import(
     bytes: &[u8],
     siblings: Siblings,
 ) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
-    import_bytes(name, bytes, siblings)
+    import_file(name, Box::new(Cursor::new(bytes)), siblings)
 }
 
-/// Imports a file, whose bytes are dropped as soon as they are read: building the mesh takes much
-/// memory besides.
-fn import_bytes(
+/// Imports a file, which is closed before the mesh is built: building takes memory besides.
+fn import_file(
     name: &str,
-    bytes: impl AsRef<[u8]>,
+    file: Box<dyn OpenFile + '_>,
     siblings: Siblings,
 ) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
     let mut report = ImportReport::new(name);
-    let soup = read(name, bytes.as_ref(), siblings, &mut report);
-    drop(bytes);
+    let soup = match open(file).and_then(|source| read(name, &source, siblings, &mut report)) {
+        Ok(soup) => soup,
+        Err(problem) => {
+            report.add(*problem);
+            TriangleSoup::default()
+        }
+    };
     report.stop_on_errors()?;
     let mesh = finish(soup, &mut report);
     report.stop_on_errors()?;
@@ -84,7 +95,7 @@ fn import_bytes(
 /// As [`import`], and where the file cannot be read.
 pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
     let name = path.display().to_string();
-    let bytes = files.read(path, MAX_FILE_BYTES).map_err(|why| {
+    let file = files.open(path, MAX_FILE_BYTES).map_err(|why| {
         let hint = if files.metadata(path).is_some() {
             "name a file that you may read"
         } else {
@@ -94,55 +105,63 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Di
         vec![problem.in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    import_bytes(&name, bytes, &|sibling| {
-        files.read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
+    import_file(&name, file, &|sibling| {
+        files.open(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
     })
 }
 
-fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut ImportReport) -> TriangleSoup {
-    if bytes.len() as u64 > MAX_FILE_BYTES {
+fn open<'f>(file: Box<dyn OpenFile + 'f>) -> Result<Source<'f>, ImportProblem> {
+    let unreadable =
+        |why: io::Error| Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
+    Source::whole(file).map_err(|why| unreadable(why).into())
+}
+
+fn read(
+    name: &str,
+    file: &Source,
+    siblings: Siblings,
+    report: &mut ImportReport,
+) -> Result<TriangleSoup, ImportProblem> {
+    if file.length() > MAX_FILE_BYTES {
         let message =
-            format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", bytes.len());
-        report.error("mesh-too-large", message);
-        return TriangleSoup::default();
+            format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", file.length());
+        return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let (stem, ending) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
-    if let Some(problem) = foreign(bytes, ending) {
-        report.add(problem);
-        return TriangleSoup::default();
+    let head = file.head(HEAD)?;
+    if let Some(problem) = foreign(&head, file.length(), ending) {
+        return Err(problem.into());
     }
     let mut soup = match ending.to_ascii_lowercase().as_str() {
-        "obj" => obj::read(bytes, report),
-        "ply" => ply::read(bytes, report),
-        "stl" => stl::read(bytes, report),
-        "gltf" | "glb" => gltf::read(bytes, siblings, report),
-        _ if bytes.starts_with(b"glTF") => gltf::read(bytes, siblings, report),
-        _ if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") => ply::read(bytes, report),
+        "obj" => obj::read(&file.all()?, report),
+        "ply" => ply::read(file, report)?,
+        "stl" => stl::read(&file.all()?, report),
+        "gltf" | "glb" => gltf::read(file, siblings, report)?,
+        _ if head.starts_with(b"glTF") => gltf::read(file, siblings, report)?,
+        _ if head.starts_with(b"ply\n") || head.starts_with(b"ply\r") => ply::read(file, report)?,
         _ => {
             let message = format!("`{ending}` is no mesh format that can be read");
-            report.add(
-                Diagnostic::error("mesh-format", message)
-                    .hint("use an OBJ, PLY, STL, glTF or GLB file"),
-            );
-            TriangleSoup::default()
+            let problem = Diagnostic::error("mesh-format", message);
+            return Err(problem.hint("use an OBJ, PLY, STL, glTF or GLB file").into());
         }
     };
     if soup.name.is_empty() {
         stem.clone_into(&mut soup.name);
     }
-    soup
+    Ok(soup)
 }
 
-/// The error for a file whose first bytes show that no reader can read it.
-fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
-    if bytes.starts_with(b"DRACO") {
+/// The error for a file of `length` bytes whose first ones, `head`, show that no reader can read
+/// it.
+fn foreign(head: &[u8], length: u64, ending: &str) -> Option<Diagnostic> {
+    if head.starts_with(b"DRACO") {
         let message = "the mesh is compressed with Draco, which cannot be read";
         let hint = "export without compression, as glTF, OBJ or PLY";
         return Some(Diagnostic::error("mesh-unsupported", message).hint(hint));
     }
-    let is_binary = ending.eq_ignore_ascii_case("stl") && stl::is_binary(bytes);
-    if !is_binary && files::is_utf16(bytes) {
+    let is_binary = ending.eq_ignore_ascii_case("stl") && stl::is_binary(head, length);
+    if !is_binary && files::is_utf16(head) {
         let problem = Diagnostic::error("mesh-encoding", "the file is text in UTF-16");
         return Some(problem.hint("save it as UTF-8"));
     }

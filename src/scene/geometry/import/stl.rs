@@ -4,8 +4,8 @@
 use super::cursor::Cursor;
 use super::report::ImportReport;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
+use crate::geometry::map::weld;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::normals::weld;
 use crate::geometry::soup::{Corner, NONE, TriangleSoup};
 
 /// Length of a binary file's comment and count, in bytes.
@@ -19,16 +19,16 @@ fn declared(bytes: &[u8]) -> Option<u64> {
     Some(u64::from(u32::from_le_bytes([count[0], count[1], count[2], count[3]])))
 }
 
-/// True if the file is exactly as long as its binary header declares. Binary files may begin with
-/// anything, also with `solid`, so their length decides.
-pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    declared(bytes).is_some_and(|count| HEADER as u64 + FACET as u64 * count == bytes.len() as u64)
+/// True if a file of `length` bytes is exactly as long as its binary header, in its first bytes,
+/// declares. Binary files may begin with anything, also with `solid`, so their length decides.
+pub(super) fn is_binary(head: &[u8], length: u64) -> bool {
+    declared(head).is_some_and(|count| HEADER as u64 + FACET as u64 * count == length)
 }
 
 /// Reads an STL file, text or binary.
 pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
     let looks_like_text = bytes.trim_ascii_start().starts_with(b"solid");
-    let points = if looks_like_text && !is_binary(bytes) {
+    let points = if looks_like_text && !is_binary(bytes, bytes.len() as u64) {
         text(&String::from_utf8_lossy(bytes), report)
     } else {
         binary(bytes, declared(bytes), report)
@@ -53,10 +53,10 @@ fn joined(points: &[[f32; 3]]) -> TriangleSoup {
         }
     }
     let corner = |i: usize| Corner { point: index_of[welded[i] as usize], normal: NONE, uv: NONE };
-    soup.triangles = (0..points.len() / 3)
-        .map(|t| [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)])
-        .collect();
-    soup.material_of = vec![material; soup.triangles.len()];
+    let triangles = (0..points.len() / 3).map(|t| [0, 1, 2].map(|k| corner(3 * t + k)));
+    soup.triangles.reserve(points.len() / 3);
+    soup.triangles.extend(triangles);
+    soup.wear(material);
     soup
 }
 

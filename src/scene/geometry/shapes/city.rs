@@ -43,7 +43,7 @@ pub(super) fn city() -> TriangleSoup {
     }
     let mut soup = builder.soup;
     let material = soup.material(DEFAULT_MATERIAL);
-    soup.material_of = vec![material; soup.triangles.len()];
+    soup.wear(material);
     soup
 }
 

@@ -81,5 +81,5 @@ fn face(soup: &mut TriangleSoup, across: &[f64], place: impl Fn(f64, f64) -> (DV
             soup.triangles.extend([[a, b, c], [a, c, d]]);
         }
     }
-    soup.material_of.resize(soup.triangles.len(), material);
+    soup.wear(material);
 }

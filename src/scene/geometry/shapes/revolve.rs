@@ -55,7 +55,7 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> TriangleSoup {
             }
         }
     }
-    soup.material_of = vec![material; soup.triangles.len()];
+    soup.wear(material);
     soup
 }
 

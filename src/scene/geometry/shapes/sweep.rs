@@ -52,6 +52,6 @@ pub(super) fn knot() -> TriangleSoup {
             soup.triangles.extend([[a, c, b], [a, d, c]]);
         }
     }
-    soup.material_of = vec![material; soup.triangles.len()];
+    soup.wear(material);
     soup
 }

@@ -29,7 +29,7 @@ fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> TriangleSoup {
             }));
         }
     }
-    soup.material_of = vec![material; soup.triangles.len()];
+    soup.wear(material);
     soup
 }
 

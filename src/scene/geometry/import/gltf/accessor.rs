@@ -1,8 +1,6 @@
 //! Reader of glTF accessors that checks every access: the crate's own readers trust counts and
 //! offsets.
 
-use std::borrow::Cow;
-
 use gltf::Accessor;
 use gltf::accessor::DataType;
 use gltf::accessor::sparse::IndexType;
@@ -10,6 +8,7 @@ use gltf::accessor::sparse::IndexType;
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::{Cursor, NumberType};
 use crate::geometry::import::report::ImportProblem;
+use crate::geometry::import::source::Source;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 
 fn number(kind: DataType) -> NumberType {
@@ -31,7 +30,7 @@ fn number(kind: DataType) -> NumberType {
 /// bounds.
 pub(super) fn rows<const N: usize>(
     accessor: &Accessor,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
     fill: f64,
 ) -> Result<Vec<[f64; N]>, ImportProblem> {
     rows_as(accessor, buffers, fill, |row| row)
@@ -44,7 +43,7 @@ pub(super) fn rows<const N: usize>(
 /// As those of [`rows`].
 pub(super) fn rows_as<const N: usize, T: Clone>(
     accessor: &Accessor,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
     fill: f64,
     make: impl Fn([f64; N]) -> T,
 ) -> Result<Vec<T>, ImportProblem> {
@@ -68,23 +67,23 @@ pub(super) fn rows_as<const N: usize, T: Clone>(
     let mut rows = match accessor.view() {
         Some(view) => {
             let stride = view.stride().unwrap_or(layout.size());
-            let bytes = slice(&view, accessor.offset(), buffers).ok_or_else(outside)?;
-            layout.read::<N, T>(bytes, stride, count, &make).ok_or_else(outside)?
+            let bytes = part(&view, accessor.offset(), buffers).ok_or_else(outside)?;
+            layout.read::<N, T>(&bytes, stride, count, &make)?.ok_or_else(outside)?
         }
         None => vec![make(layout.row(&[0.0; 16])); count],
     };
     if let Some(sparse) = accessor.sparse() {
         let (places, values) = (sparse.indices(), sparse.values());
-        let bytes = slice(&values.view(), values.offset(), buffers).ok_or_else(outside)?;
-        let new =
-            layout.read::<N, T>(bytes, layout.size(), sparse.count(), &make).ok_or_else(outside)?;
-        let bytes = slice(&places.view(), places.offset(), buffers).ok_or_else(outside)?;
+        let bytes = part(&values.view(), values.offset(), buffers).ok_or_else(outside)?;
+        let new = layout.read::<N, T>(&bytes, layout.size(), sparse.count(), &make)?;
+        let new = new.ok_or_else(outside)?;
+        let bytes = part(&places.view(), places.offset(), buffers).ok_or_else(outside)?.all()?;
         let kind = match places.index_type() {
             IndexType::U8 => NumberType::U8,
             IndexType::U16 => NumberType::U16,
             IndexType::U32 => NumberType::U32,
         };
-        let mut cursor = Cursor::little_endian(bytes);
+        let mut cursor = Cursor::little_endian(&bytes);
         for row in new {
             let place = cursor.number(kind).ok_or_else(outside)? as usize;
             *rows.get_mut(place).ok_or_else(outside)? = row;
@@ -94,14 +93,18 @@ pub(super) fn rows_as<const N: usize, T: Clone>(
 }
 
 /// The bytes of a view from `offset` on.
-fn slice<'a>(
+fn part<'f>(
     view: &gltf::buffer::View,
     offset: usize,
-    buffers: &'a [Cow<'_, [u8]>],
-) -> Option<&'a [u8]> {
-    let end = view.offset().checked_add(view.length())?;
-    buffers.get(view.buffer().index())?.get(view.offset()..end)?.get(offset..)
+    buffers: &[Source<'f>],
+) -> Option<Source<'f>> {
+    let buffer = buffers.get(view.buffer().index())?;
+    let view = buffer.part(view.offset() as u64, view.length() as u64)?;
+    view.part(offset as u64, view.length().checked_sub(offset as u64)?)
 }
+
+/// Number of bytes that are read at a time.
+const BLOCK: usize = 1 << 16;
 
 struct Layout {
     kind: NumberType,
@@ -117,27 +120,40 @@ impl Layout {
         self.kind.size() * self.width
     }
 
+    /// The rows of `count` elements, each `stride` bytes behind the one before; `None` where they
+    /// reach beyond the bytes.
+    ///
+    /// # Errors
+    /// Where the bytes cannot be read.
     fn read<const N: usize, T>(
         &self,
-        bytes: &[u8],
+        bytes: &Source,
         stride: usize,
         count: usize,
         make: impl Fn([f64; N]) -> T,
-    ) -> Option<Vec<T>> {
-        let needed = stride.checked_mul(count.checked_sub(1)?)?.checked_add(self.size())?;
-        if needed > bytes.len() {
-            return None;
+    ) -> Result<Option<Vec<T>>, ImportProblem> {
+        let extent =
+            |count: usize| stride.checked_mul(count.checked_sub(1)?)?.checked_add(self.size());
+        if extent(count).is_none_or(|needed| needed as u64 > bytes.length()) {
+            return Ok(None);
         }
         let mut rows = Vec::with_capacity(count);
+        let mut block = Vec::new();
         let mut values = [0.0; 16];
-        for i in 0..count {
-            let mut cursor = Cursor::little_endian(bytes.get(i * stride..)?);
-            for value in values.iter_mut().take(self.width) {
-                *value = cursor.number(self.kind)?;
+        let at_a_time = (BLOCK / stride.max(1)).max(1);
+        for start in (0..count).step_by(at_a_time) {
+            let of_block = at_a_time.min(count - start);
+            block.resize(extent(of_block).unwrap_or_default(), 0);
+            bytes.read((start * stride) as u64, &mut block)?;
+            for element in 0..of_block {
+                let mut cursor = Cursor::little_endian(&block[element * stride..]);
+                for value in values.iter_mut().take(self.width) {
+                    *value = cursor.number(self.kind).unwrap_or_default();
+                }
+                rows.push(make(self.row(&values)));
             }
-            rows.push(make(self.row(&values)));
         }
-        Some(rows)
+        Ok(Some(rows))
     }
 
     fn row<const N: usize>(&self, values: &[f64; 16]) -> [f64; N] {

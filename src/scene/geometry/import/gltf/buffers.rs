@@ -1,16 +1,17 @@
 //! Bytes of a glTF's buffers: from the chunks of a GLB, data URIs and files beside the glTF.
 
-use std::borrow::Cow;
+use std::io::Cursor;
 
 use base64::Engine as _;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use gltf::Document;
-use gltf::buffer::Source;
+use gltf::buffer::Source as Place;
 
 use crate::diag::Diagnostic;
-use crate::geometry::import::cursor::Cursor;
+use crate::files::OpenFile;
 use crate::geometry::import::report::{ImportProblem, ImportReport};
+use crate::geometry::import::source::Source;
 use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
 
 /// Base64 as lenient as writers of glTF need: some forget the padding, some do not clear the last
@@ -26,25 +27,29 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
 ///
 /// # Errors
 /// Where a chunk or the file is cut short, or the version is not 2.
-pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ImportProblem> {
+pub(super) fn chunks<'f>(
+    file: &Source<'f>,
+) -> Result<(Source<'f>, Option<Source<'f>>), ImportProblem> {
     let short = || Box::new(Diagnostic::error("mesh-truncated", "the GLB file is cut short"));
-    let mut cursor = Cursor::little_endian(bytes);
-    let _magic = cursor.take(4).ok_or_else(short)?;
-    let version = cursor.u32().ok_or_else(short)?;
+    let words = |offset: u64, count: u64| -> Result<Vec<u32>, ImportProblem> {
+        let bytes = file.part(offset, 4 * count).ok_or_else(short)?.all()?;
+        Ok(bytes.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word)).collect())
+    };
+    let [version, length] = words(4, 2)?[..] else { return Err(short()) };
     if version != 2 {
         let message = format!("the GLB file has version {version}; only version 2 can be read");
         return Err(Diagnostic::error("mesh-unsupported", message).into());
     }
-    let length = cursor.u32().ok_or_else(short)?;
-    if u64::from(length) > bytes.len() as u64 {
+    if u64::from(length) > file.length() {
         return Err(short());
     }
     let (mut json, mut binary) = (None, None);
-    while cursor.left() >= 8 {
-        let size = cursor.u32().ok_or_else(short)? as usize;
-        let kind = cursor.take(4).ok_or_else(short)?;
-        let chunk = cursor.take(size).ok_or_else(short)?;
-        match kind {
+    let mut offset = 12;
+    while file.length() - offset >= 8 {
+        let [size, kind] = words(offset, 2)?[..] else { return Err(short()) };
+        let chunk = file.part(offset + 8, size.into()).ok_or_else(short)?;
+        offset += 8 + u64::from(size);
+        match &kind.to_le_bytes() {
             b"JSON" => json = json.or(Some(chunk)),
             b"BIN\0" => binary = binary.or(Some(chunk)),
             // The specification asks readers to pass over other chunks.
@@ -54,32 +59,31 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ImportProbl
     Ok((json.ok_or_else(short)?, binary))
 }
 
-/// The bytes of each buffer, those of a GLB as they lie in the file; an empty list of bytes for a
-/// buffer that could not be read.
-pub(super) fn load<'b>(
+/// The buffers, those of a GLB and of files as they lie there. After an error there may be fewer.
+pub(super) fn load<'f>(
     document: &Document,
-    binary: Option<&'b [u8]>,
+    binary: Option<&Source<'f>>,
     siblings: Siblings,
     report: &mut ImportReport,
-) -> Vec<Cow<'b, [u8]>> {
+) -> Vec<Source<'f>> {
     let mut total = 0;
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let bytes = match buffer.source() {
-            Source::Bin => {
-                binary.map(Cow::Borrowed).ok_or_else(|| "the file has no binary chunk".to_owned())
-            }
-            Source::Uri(uri) => from_uri(uri, siblings).map(Cow::Owned),
+            Place::Bin => binary.cloned().ok_or_else(|| "the file has no binary chunk".to_owned()),
+            Place::Uri(uri) => from_uri(uri, siblings)
+                .and_then(|file| Source::whole(file).map_err(|why| why.to_string())),
         };
-        let bytes = bytes.unwrap_or_else(|why| {
-            let diagnostic = Diagnostic::error(
-                "mesh-reference",
-                format!("buffer {} is missing: {why}", buffer.index()),
-            );
-            report.add(diagnostic.hint("keep the .bin file beside the .gltf, or export as .glb"));
-            Cow::default()
-        });
-        total += bytes.len() as u64;
+        let bytes = match bytes {
+            Ok(bytes) => bytes,
+            Err(why) => {
+                let message = format!("buffer {} is missing: {why}", buffer.index());
+                let problem = Diagnostic::error("mesh-reference", message);
+                report.add(problem.hint("keep the .bin file beside the .gltf, or export as .glb"));
+                continue;
+            }
+        };
+        total += bytes.length();
         if total > MAX_FILE_BYTES {
             report.error(
                 "mesh-too-large",
@@ -92,13 +96,14 @@ pub(super) fn load<'b>(
     buffers
 }
 
-fn from_uri(uri: &str, siblings: Siblings) -> Result<Vec<u8>, String> {
+fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (kind, data) = data.split_once(',').ok_or("its data URI has no comma")?;
         if !kind.ends_with(";base64") {
             return Err("its data URI is not in base64".to_owned());
         }
-        return BASE64.decode(data.trim()).map_err(|_| "its base64 is damaged".to_owned());
+        let bytes = BASE64.decode(data.trim()).map_err(|_| "its base64 is damaged")?;
+        return Ok(Box::new(Cursor::new(bytes)));
     }
     let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
     let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
@@ -139,8 +144,10 @@ mod tests {
 
     #[test]
     fn base64_with_and_without_padding() {
-        let decoded =
-            |text: &str| from_uri(&format!("data:;base64,{text}"), &|_| Err(String::new())).ok();
+        let decoded = |text: &str| {
+            let file = from_uri(&format!("data:;base64,{text}"), &|_| Err(String::new())).ok()?;
+            Source::whole(file).ok()?.all().ok()
+        };
         // The examples of RFC 4648.
         for (text, bytes) in [
             ("", ""),
@@ -166,7 +173,7 @@ mod tests {
 
     #[test]
     fn only_relative_paths_are_followed() {
-        let anything: Siblings = &|_| Ok(vec![1]);
+        let anything: Siblings = &|_| Ok(Box::new(Cursor::new([1])));
         assert!(from_uri("a/b.bin", anything).is_ok());
         for uri in [
             "/etc/passwd",

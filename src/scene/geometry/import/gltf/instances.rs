@@ -1,8 +1,6 @@
 //! Copies of one node's mesh (`EXT_mesh_gpu_instancing`): accessors of moves, turns and scales, in
 //! the node's space.
 
-use std::borrow::Cow;
-
 use glam::{DMat4, DQuat, DVec3};
 use gltf::accessor::Dimensions;
 use gltf::{Document, Mesh, Node};
@@ -11,6 +9,7 @@ use super::accessor;
 use crate::diag::Diagnostic;
 use crate::geometry::import::MAX_VERTICES;
 use crate::geometry::import::report::ImportProblem;
+use crate::geometry::import::source::Source;
 
 /// The name of the extension for instances.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
@@ -43,7 +42,7 @@ impl<'a> PlacedMesh<'a> {
         document: &Document,
         node: &Node<'a>,
         world: DMat4,
-        buffers: &[Cow<'_, [u8]>],
+        buffers: &[Source],
         drawn: &mut usize,
     ) -> Result<Option<Self>, ImportProblem> {
         let Some(mesh) = node.mesh() else { return Ok(None) };
@@ -127,7 +126,7 @@ impl<'d> InstanceAccessors<'d, '_> {
     /// Reads the accessors once `check` has accepted their count.
     fn read(
         &self,
-        buffers: &[Cow<'_, [u8]>],
+        buffers: &[Source],
         check: impl FnOnce(usize) -> Result<(), ImportProblem>,
     ) -> Result<Option<Instances>, ImportProblem> {
         let translations = self.accessor("TRANSLATION", Dimensions::Vec3)?;

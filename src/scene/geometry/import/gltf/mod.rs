@@ -12,8 +12,6 @@ mod extensions;
 mod instances;
 mod primitive;
 
-use std::borrow::Cow;
-
 use glam::DMat4;
 use gltf::Document;
 use gltf::json::mesh::Semantic;
@@ -25,7 +23,8 @@ use serde::de::IgnoredAny;
 use self::instances::PlacedMesh;
 
 use super::Siblings;
-use super::report::ImportReport;
+use super::report::{ImportProblem, ImportReport};
+use super::source::Source;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::soup::TriangleSoup;
 
@@ -48,19 +47,29 @@ struct GltfMembers {
 }
 
 /// Reads a glTF or GLB file.
-pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut ImportReport) -> TriangleSoup {
-    let mut soup = TriangleSoup::default();
-    let (json, binary) = if bytes.starts_with(b"glTF") {
-        match buffers::chunks(bytes) {
-            Ok(chunks) => chunks,
-            Err(diagnostic) => {
-                report.add(*diagnostic);
-                return soup;
-            }
-        }
-    } else {
-        (bytes, None)
+///
+/// # Errors
+/// What keeps the file's frame from being read; all else is reported.
+pub(super) fn read(
+    file: &Source,
+    siblings: Siblings,
+    report: &mut ImportReport,
+) -> Result<TriangleSoup, ImportProblem> {
+    let (json, binary) = match file.head(4)?.as_slice() {
+        b"glTF" => buffers::chunks(file)?,
+        _ => (file.clone(), None),
     };
+    let soup = read_document(&json.all()?, binary.as_ref(), siblings, report);
+    Ok(if report.has_errors() { TriangleSoup::default() } else { soup })
+}
+
+fn read_document(
+    json: &[u8],
+    binary: Option<&Source>,
+    siblings: Siblings,
+    report: &mut ImportReport,
+) -> TriangleSoup {
+    let mut soup = TriangleSoup::default();
     let mut skipped = SkippedParts::default();
     let Some(document) = parse(json, &mut skipped, report) else { return soup };
     let buffers = buffers::load(&document, binary, siblings, report);
@@ -86,7 +95,7 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut ImportReport) 
     if let (1, Some(mesh)) = (document.meshes().len(), document.meshes().next()) {
         soup.name = mesh.name().unwrap_or_default().to_owned();
     }
-    if report.has_errors() { TriangleSoup::default() } else { soup }
+    soup
 }
 
 /// Parts of the file that were left out, for the reader's notes.
@@ -211,7 +220,7 @@ fn missing_accessor(root: &Root) -> Option<usize> {
 /// each with its places.
 fn place_meshes<'a>(
     document: &'a Document,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
     report: &mut ImportReport,
 ) -> Vec<PlacedMesh<'a>> {
     let mut open: Vec<(gltf::Node, DMat4)> =

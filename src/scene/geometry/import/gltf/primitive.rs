@@ -1,7 +1,5 @@
 //! Primitives of glTF meshes: their attributes, triangles and material.
 
-use std::borrow::Cow;
-
 use glam::{DMat3, DMat4, DVec3, Vec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::material::AlphaMode;
@@ -12,6 +10,7 @@ use super::{SkippedParts, accessor};
 use crate::diag::Diagnostic;
 use crate::document::linear_to_srgb;
 use crate::geometry::import::report::ImportProblem;
+use crate::geometry::import::source::Source;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
@@ -20,7 +19,7 @@ use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
 pub(super) fn append(
     primitive: &Primitive,
     world: &DMat4,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
     soup: &mut TriangleSoup,
     skipped: &mut SkippedParts,
 ) -> Result<(), ImportProblem> {
@@ -43,6 +42,7 @@ pub(super) fn append(
         return Err(too_large("triangles", MAX_TRIANGLES).into());
     }
     let base = soup.points.len();
+    soup.triangles.reserve(index_count / per_triangle);
     let has = attributes(primitive, world, buffers, soup)?;
     let count = soup.points.len() - base;
     let indices = match indices {
@@ -70,7 +70,7 @@ pub(super) fn append(
         _ => soup.triangles.extend(indices.chunks_exact(3).map(|t| wind([t[0], t[1], t[2]]))),
     }
     let material = material_of(primitive, soup);
-    soup.material_of.resize(soup.triangles.len(), material);
+    soup.wear(material);
     Ok(())
 }
 
@@ -78,7 +78,7 @@ pub(super) fn append(
 fn read_indices(
     accessor: &gltf::Accessor,
     count: usize,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
 ) -> Result<Vec<u32>, ImportProblem> {
     let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
@@ -133,7 +133,7 @@ struct AttributeOffsets {
 fn attributes(
     primitive: &Primitive,
     world: &DMat4,
-    buffers: &[Cow<'_, [u8]>],
+    buffers: &[Source],
     soup: &mut TriangleSoup,
 ) -> Result<AttributeOffsets, ImportProblem> {
     check_counts(primitive)?;

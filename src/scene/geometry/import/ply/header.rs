@@ -1,7 +1,9 @@
 //! The header of a PLY file: its elements, and the properties of each.
 
+use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::NumberType;
-use crate::geometry::import::report::ImportReport;
+use crate::geometry::import::report::{ImportProblem, ImportReport};
+use crate::geometry::import::source::Source;
 
 /// Greatest number of elements and of properties; files with more are refused. Real files have a
 /// dozen.
@@ -62,12 +64,34 @@ pub(super) struct Header {
     pub lines: usize,
 }
 
-/// Reads the header; `None` after an error.
-pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> Option<Header> {
-    let Some((length, lines)) = extent(bytes) else {
-        report.error("mesh-truncated", "the header does not end: there is no line `end_header`");
-        return None;
-    };
+/// Number of bytes in which the end of the header is looked for first.
+const USUAL_LENGTH: u64 = 1 << 12;
+
+/// Reads the header; `None` after an error that was reported.
+///
+/// # Errors
+/// Where the file cannot be read, or its header does not end.
+pub(super) fn read(
+    file: &Source,
+    report: &mut ImportReport,
+) -> Result<Option<Header>, ImportProblem> {
+    let mut looked = USUAL_LENGTH;
+    loop {
+        let head = file.head(looked)?;
+        if let Some(extent) = extent(&head) {
+            return Ok(parse(&head, extent, report));
+        }
+        if looked >= file.length() {
+            let message = "the header does not end: there is no line `end_header`";
+            return Err(Diagnostic::error("mesh-truncated", message).into());
+        }
+        looked *= 8;
+    }
+}
+
+/// Reads the header of a file's first bytes, whose length in bytes and in lines is `extent`.
+fn parse(bytes: &[u8], extent: (usize, usize), report: &mut ImportReport) -> Option<Header> {
+    let (length, lines) = extent;
     // Comments may be in any encoding; nothing else needs more than ASCII.
     let text = String::from_utf8_lossy(&bytes[..length]);
     let mut encoding = None;

@@ -7,6 +7,7 @@ mod source;
 use self::header::{Element, Encoding, Header};
 use self::source::NumberSource;
 use super::report::{ImportProblem, ImportReport};
+use super::source::Source;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::NumberType;
@@ -27,14 +28,18 @@ const ALPHA: [&[&str]; 1] = [&["alpha", "diffuse_alpha", "a"]];
 const FACE: &[&str] = &["vertex_indices", "vertex_index"];
 
 /// Reads a PLY file.
-pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
-    let Some(header) = header::read(bytes, report) else { return TriangleSoup::default() };
+///
+/// # Errors
+/// What keeps the numbers from being read; all else is reported.
+pub(super) fn read(
+    file: &Source,
+    report: &mut ImportReport,
+) -> Result<TriangleSoup, ImportProblem> {
+    let Some(header) = header::read(file, report)? else { return Ok(TriangleSoup::default()) };
     let mut soup = TriangleSoup::default();
-    let mut source = NumberSource::new(&bytes[header.length..], header.encoding, header.lines);
-    if let Err(diagnostic) = elements(&header, &mut source, &mut soup, report) {
-        report.add(*diagnostic);
-    }
-    if report.has_errors() { TriangleSoup::default() } else { soup }
+    let mut source = NumberSource::new(file.clone(), &header);
+    elements(&header, &mut source, &mut soup, report)?;
+    Ok(if report.has_errors() { TriangleSoup::default() } else { soup })
 }
 
 fn elements(
@@ -72,7 +77,7 @@ fn check_counts(
         let message = format!("the file has {count} of `{name}`, more than the {most} allowed");
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
-    let room = source.left() as u64 + 1;
+    let room = source.left() + 1;
     if count.saturating_mul(element.least_bytes(encoding)) > room {
         let message = format!("the file ends before its {count} of `{name}`");
         return Err(Diagnostic::error("mesh-truncated", message).into());
@@ -117,7 +122,11 @@ fn vertices(
         element.properties.iter().map(|p| 1.0 / p.number.max().unwrap_or(1.0)).collect();
     let mut row = vec![0.0; element.properties.len()];
     let mut values = Vec::new();
-    soup.points.reserve(element.count as usize);
+    let count = element.count as usize;
+    soup.points.reserve_exact(count);
+    soup.normals.reserve_exact(if normal.is_some() { count } else { 0 });
+    soup.uvs.reserve_exact(if uv.is_some() { count } else { 0 });
+    soup.colors.reserve_exact(if color.is_some() { count } else { 0 });
     for i in 0..element.count {
         for (slot, property) in row.iter_mut().zip(&element.properties) {
             source.property(property, &mut values, &|| format!("vertex {i}"))?;
@@ -192,6 +201,7 @@ fn faces(
     let own_uvs = soup.uvs.len() == points;
     let mut rows: Vec<Vec<f64>> = vec![Vec::new(); element.properties.len()];
     let mut polygon = Polygon::default();
+    soup.triangles.reserve(element.count as usize);
     for i in 0..element.count {
         for (row, property) in rows.iter_mut().zip(&element.properties) {
             source.property(property, row, &|| format!("face {i}"))?;
@@ -260,7 +270,7 @@ fn strip(
             let [a, b, c] = [window[0], window[1], window[2]];
             soup.triangles.push(if k % 2 == 0 { [a, b, c] } else { [b, a, c] });
         }
-        soup.material_of.resize(soup.triangles.len(), material);
+        soup.wear(material);
         check_triangles(soup)?;
     }
     Ok(())
