@@ -43,6 +43,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         world_from_object: matrix * object_matrix(&chiaro::document::Transform::default(), mesh),
         looks: vec![Some(look); mesh.parts.len()],
         values: chiaro::document::Values::default(),
+        light_link: Default::default(),
     }
 }
 

@@ -92,6 +92,7 @@ fn object(name: &str, matrix: DMat4) -> SetupObject {
         mesh,
         world_from_object,
         values: Default::default(),
+        light_link: Default::default(),
     }
 }
 

@@ -117,6 +117,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         world_from_object: matrix,
         looks: vec![Some(look)],
         values: Values::new(),
+        light_link: Default::default(),
     }
 }
 

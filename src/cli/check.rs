@@ -196,6 +196,7 @@ impl Checker<'_> {
         let (setup, of_setup) =
             scene_setup(all, folder, &loaded.source, None, &mut self.assets).into_parts();
         self.problems.extend(missing_uvs(&setup, library));
+        self.problems.extend(setup.light_warnings());
         // Problems of the looks were told with the looks.
         let file = path.display().to_string();
         found.extend(of_setup.into_iter().filter(|problem| {

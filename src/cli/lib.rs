@@ -25,6 +25,7 @@ mod fit;
 mod gallery;
 mod hcbtf;
 mod interrupt;
+mod lights;
 mod new;
 mod nodes;
 mod open;
@@ -97,6 +98,8 @@ enum Command {
     Check(check::Arguments),
     /// Tell what is drawn, in which passes, on which data, and why
     Explain(explain::Arguments),
+    /// List a scene's lights, and tell which of them reach which objects, by which rule
+    Lights(lights::Arguments),
     /// List the nodes that looks are made of, or tell all about one
     Nodes(nodes::Arguments),
     /// Render a look or a scene to a PNG
@@ -209,6 +212,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
             found => found.map(drop),
         },
         Command::Explain(arguments) => explain::run(arguments, output).await,
+        Command::Lights(arguments) => lights::run(arguments, output),
         Command::Nodes(arguments) => nodes::run(arguments, output).await,
         Command::Render(arguments) => render::run(arguments, output).await,
         #[cfg(feature = "gpu")]

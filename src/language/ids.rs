@@ -82,6 +82,10 @@ slug_type!(
     LightId
 );
 slug_type!(
+    /// Name of a group of lights.
+    LightGroup
+);
+slug_type!(
     /// Id of a group definition, from the document or from the library.
     DefinitionId
 );

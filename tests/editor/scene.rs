@@ -672,6 +672,78 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     assert!(hand.app().session().open_scene().is_none());
 }
 
+/// Clears the text field of this name and types into it.
+fn set_text(hand: &mut User, field: &str, text: &str) {
+    let at = hand.harness.get_by_role_and_label(Role::TextInput, field).rect().center();
+    hand.click(at);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.key(Key::Delete);
+    hand.type_text(text);
+    hand.settle();
+}
+
+#[test]
+fn lights_are_linked_to_an_object_by_a_set() {
+    let home = Home::new();
+    let lit = r#""camera": {"eye": [0, 0, 9]}, "lights": {"key": {"direction": [1, 1, 1]}}"#;
+    fs::write(home.scene(), TWO.replace(r#""camera": {"eye": [0, 0, 9]}"#, lit)).unwrap();
+    let mut hand = home.window(Some(&home.scene()));
+    press(&mut hand, "Object ring");
+    let sets = |hand: &User| {
+        let ring = &scene(hand).objects["ring"];
+        [ring.linked.text().to_owned(), ring.unlinked.text().to_owned()]
+    };
+    assert_eq!(sets(&hand), ["*", ""]);
+    // What is no set yet is told, and the last that was one stays.
+    set_text(&mut hand, "Lit by", "group:sun");
+    assert_eq!(sets(&hand), ["group:sun", ""]);
+    hand.type_text(" &");
+    hand.settle();
+    assert!(sees(&hand, "a light or a group is missing at character 12"));
+    assert_eq!(sets(&hand), ["group:sun", ""]);
+    hand.type_text(" *");
+    hand.settle();
+    assert!(!sees(&hand, "is missing at character"));
+    assert_eq!(sets(&hand), ["group:sun & *", ""]);
+    set_text(&mut hand, "Not lit by", "(");
+    assert!(sees(&hand, "a light or a group is missing at character 2"));
+    hand.key(Key::Enter);
+    hand.settle();
+    assert!(!sees(&hand, "is missing at character"), "what is no set is given up");
+    assert_eq!(sets(&hand), ["group:sun & *", ""]);
+    hand.undo();
+    assert_eq!(sets(&hand), ["*", ""], "one stay in a field is one step");
+}
+
+#[test]
+fn groups_of_a_light_are_typed_with_commas() {
+    let mut hand = User::new();
+    let light = "{\"chiaro\": \"look\", \"lights\": {\"sun\": {}}}";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    fs::write(&path, light).unwrap();
+    hand.app_mut().open(&path);
+    hand.settle();
+    tab(&mut hand, "Lights");
+    let groups = |hand: &User| {
+        let groups = hand.look().lights["sun"].groups.iter();
+        groups.map(ToString::to_string).collect::<Vec<_>>()
+    };
+    set_text(&mut hand, "Groups", "day");
+    hand.type_text(", set light");
+    hand.settle();
+    assert!(sees(&hand, "`set light` is no group: write set_light"));
+    assert_eq!(groups(&hand), ["day"], "the last that was a list of groups");
+    set_text(&mut hand, "Groups", "day,set_light, day,");
+    assert_eq!(groups(&hand), ["day", "set_light"]);
+    hand.key(Key::Enter);
+    hand.settle();
+    hand.undo();
+    assert_eq!(groups(&hand), ["day"], "the field was left, and clicked again");
+    hand.undo();
+    assert!(groups(&hand).is_empty());
+}
+
 #[test]
 fn materials_of_one_mesh_wear_different_looks() {
     let home = Home::new();

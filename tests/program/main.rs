@@ -7,6 +7,7 @@ mod cli;
 mod desktop;
 mod fit;
 mod gallery;
+mod lights;
 #[cfg(target_os = "linux")]
 mod memory;
 mod outputs;

@@ -39,6 +39,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         world_from_object: matrix,
         looks: vec![Some(look); mesh.parts.len()],
         values: Values::new(),
+        light_link: Default::default(),
     }
 }
 

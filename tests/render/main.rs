@@ -8,6 +8,7 @@ mod deferred;
 mod depth_first;
 mod effects;
 mod grouping;
+mod links;
 mod long_graphs;
 mod mute;
 mod node_code;

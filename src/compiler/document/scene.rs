@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::light::Light;
+use super::light::{Light, LightLink, LightSet};
 use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::value::Values;
 use super::word::WordChoice as _;
@@ -59,9 +59,20 @@ described! {
         looks: IndexMap<String, String> = IndexMap::new(), FieldKind::Looks, by Looks;
         /// Values of exposed parameters, over those of the looks.
         values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 10_000);
+        /// Lights that reach the object.
+        linked: LightSet = LightSet::all(), FieldKind::LightSet;
+        /// Lights that do not reach it although they are linked; `{source}` are those.
+        unlinked: LightSet = LightSet::none(), FieldKind::LightSet;
         /// True if the object is drawn.
         visible: bool = true, FieldKind::Bool;
         unknown;
+    }
+}
+
+impl Object {
+    /// Lights that reach the object.
+    pub fn light_link(&self) -> LightLink {
+        LightLink { linked: self.linked.clone(), unlinked: self.unlinked.clone() }
     }
 }
 

@@ -133,11 +133,13 @@ impl<'s> OwnedLight<'s> {
         }
         let differs = |field: &LightField| field.get(old) != field.get(new);
         let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
-        if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
+        let is_about = |light: &Light| (light.kind, light.space, light.groups.clone());
+        if is_about(new) == is_about(old) && !fields.is_empty() {
             let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
             return Change::Look(session.keys().set_all_at(values));
         }
-        self.set(Light { kind: new.kind, space: new.space, ..self.light.clone() })
+        let (kind, space, groups) = is_about(new);
+        self.set(Light { kind, space, groups, ..self.light.clone() })
     }
 
     /// Replaces the light.

@@ -16,6 +16,7 @@ mod effects;
 mod executor;
 mod handover;
 mod keys;
+mod links;
 mod nearest;
 mod picture;
 mod place;
@@ -55,6 +56,7 @@ pub use keys::{
     KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, Wires, at_time, driver_value,
     is_direction, light_field, set_light_field, structural_look,
 };
+pub use links::LightReach;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
 pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};

@@ -10,7 +10,7 @@ use indexmap::IndexMap;
 use super::assets::Assets;
 use super::store::AssetStore;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
-use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
+use crate::document::{Document, LightLink, Look, Object, Scene, SourceMap, Transform, Values};
 use crate::files::Files;
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
@@ -43,6 +43,8 @@ pub struct SetupObject {
     pub looks: Vec<Option<usize>>,
     /// Values of exposed parameters.
     pub values: Values,
+    /// Lights that reach the object.
+    pub light_link: LightLink,
 }
 
 impl SetupObject {
@@ -189,6 +191,7 @@ pub fn default_setup(
         world_from_object,
         looks,
         values: Values::new(),
+        light_link: LightLink::default(),
     };
     let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
     Ok(WithWarnings::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
@@ -293,6 +296,7 @@ pub fn place_objects(
             mesh,
             looks: worn,
             values: object.values.clone(),
+            light_link: object.light_link(),
         });
         material_problems(
             id,

@@ -5,6 +5,7 @@
 //! lie beyond one and the same side of the view; a light is dark for an object where it is out or
 //! black, or where the sphere around the object lies beyond its range or outside of its cone.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Weak};
 
@@ -115,25 +116,34 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
 }
 
 /// Fields of a look's lights that are 0 for an object, each with the reason; `lights` replace the
-/// look's. Lights that keys or exposed parameters move are never dark.
+/// look's, and `unlinked` ones do not reach the object. Of the others those that keys or exposed
+/// parameters move are never dark.
 pub(super) fn dark_lights(
     setup: &Setup,
     look: &Look,
     lights: &IndexMap<LightId, Light>,
     placed: &ObjectPlacement,
     view: &View,
-) -> Vec<((LightId, LightField), &'static str)> {
+    unlinked: &IndexMap<LightId, Cow<'static, str>>,
+) -> Vec<((LightId, LightField), Cow<'static, str>)> {
     let moved = moved_lights(look);
     let illumination = DQuat::from_array(setup.scene.illumination).normalize();
     let mut dark = Vec::new();
-    for (id, own) in look.lights.iter().filter(|(id, _)| !moved.contains(id)) {
+    for (id, own) in &look.lights {
+        if let Some(reason) = unlinked.get(id) {
+            dark.push(((id.clone(), LightField::Intensity), reason.clone()));
+            continue;
+        }
+        if moved.contains(id) {
+            continue;
+        }
         let light = lights.get(id).unwrap_or(own);
         let values = LightValues::new(light, illumination, view.rotation());
         if values.color() == DVec3::ZERO {
-            dark.push(((id.clone(), LightField::Color), "it is black"));
+            dark.push(((id.clone(), LightField::Color), "it is black".into()));
         }
         if let Some(reason) = why_dark(&values, placed) {
-            dark.push(((id.clone(), LightField::Intensity), reason));
+            dark.push(((id.clone(), LightField::Intensity), reason.into()));
         }
     }
     dark
@@ -183,7 +193,7 @@ fn why_dark(light: &LightValues, placed: &ObjectPlacement) -> Option<&'static st
 
 /// The fields of dark lights, without the reasons.
 pub(super) fn fields(
-    dark: &[((LightId, LightField), &'static str)],
+    dark: &[((LightId, LightField), Cow<'static, str>)],
 ) -> BTreeSet<(LightId, LightField)> {
     dark.iter().map(|(field, _)| field.clone()).collect()
 }

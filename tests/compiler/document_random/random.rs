@@ -3,9 +3,9 @@
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
-    LightField, LightKind, LightQuantity, LightSpace, Look, Node, Note, Object, Projection, Ramp,
-    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value,
-    Values, Wire,
+    LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node, Note, Object,
+    Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform,
+    UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -189,6 +189,9 @@ impl Random {
         let mut light = Light {
             name: self.text(),
             kind: self.choose(&[LightKind::Directional, LightKind::Point, LightKind::Spot]),
+            groups: (0..self.below(3))
+                .map(|_| self.choose(&["set", "rim-2", "_"]).into())
+                .collect(),
             space: self.choose(&[LightSpace::Illumination, LightSpace::World, LightSpace::Camera]),
             ..Light::default()
         };
@@ -460,6 +463,11 @@ impl Random {
         q.map(|x| x / length)
     }
 
+    fn light_set(&mut self) -> LightSet {
+        let texts = ["*", "", " key|rim-2 - group:set", "\"Key \\ light\" & ({source})"];
+        LightSet::parse(self.choose(&texts)).expect("a set of lights")
+    }
+
     pub(crate) fn object(&mut self) -> Object {
         let scale =
             std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
@@ -473,6 +481,8 @@ impl Random {
             },
             looks: (0..self.below(3)).map(|_| (self.text(), self.text())).collect(),
             values: self.values(),
+            linked: self.light_set(),
+            unlinked: self.light_set(),
             visible: self.chance(5),
             unknown: self.unknown(),
         };

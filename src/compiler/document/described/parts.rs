@@ -9,10 +9,10 @@ use crate::document::read::reader::Reader;
 use crate::document::shape::{self, FieldKind};
 use crate::document::word::WordChoice as _;
 use crate::document::{
-    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Target,
-    Tier, UnknownFields, Value,
+    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSet, LightSpace, Projection,
+    Target, Tier, UnknownFields, Value,
 };
-use crate::ids::{NodeId, ObjectId, PortName};
+use crate::ids::{LightGroup, NodeId, ObjectId, PortName};
 
 /// True if numbers are the same to the last bit, the sign of 0 included: the sign is written too.
 pub(in crate::document) fn same(a: &[f64], b: &[f64]) -> bool {
@@ -251,7 +251,33 @@ macro_rules! ids {
     )* };
 }
 
-ids!(NodeId, ObjectId, PortName);
+ids!(LightGroup, NodeId, ObjectId, PortName);
+
+/// Set of lights, of whose text what is wrong is told.
+impl FieldType for LightSet {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
+        let text = r.text_at(at, shape::LINE)?;
+        let set = Self::parse(&text);
+        if let Err(why) = &set {
+            let problem = Diagnostic::error("bad-light-set", format!("`{text}`: {why}"));
+            r.report(at, problem.hint("for example `key | group:rim - group:set`, or `*`"));
+        }
+        set.ok()
+    }
+
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
+        w.string(self.text());
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
 
 /// End of a wire.
 impl FieldType for Endpoint {

@@ -7,6 +7,8 @@
 
 mod field;
 mod input;
+mod link;
+mod set;
 mod values;
 
 use serde::{Deserialize, Serialize};
@@ -14,12 +16,15 @@ use serde::{Deserialize, Serialize};
 use super::described::described;
 use super::shape::{FAR, FieldKind, LINE, NumberBounds, POSITIVE};
 use super::word::WordChoice as _;
+use crate::ids::LightGroup;
 use LightKind::{Directional, Point, Spot};
 use LightQuantity::{Angle, Color, Direction, Distance, Factor, Position};
 use field::{FieldAccess, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
+pub use link::{LightLink, LinkRule};
+pub use set::{LightSet, LightSetError, SetTerm};
 pub use values::{LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE};
 
 const ANY: &[LightKind] = &[Directional, Point, Spot];
@@ -47,6 +52,9 @@ macro_rules! light_fields {
                 #[serde(rename = "type")]
                 kind as "type": LightKind = LightKind::Directional,
                     FieldKind::Word(LightKind::WORDS);
+                /// Groups that the light belongs to.
+                #[serde(skip_serializing_if = "Vec::is_empty")]
+                groups: Vec<LightGroup> = Vec::new(), FieldKind::List(&FieldKind::Slug, 64);
                 /// The frame of `direction`, `position` and `aim`.
                 space: LightSpace = LightSpace::Illumination, FieldKind::Word(LightSpace::WORDS);
                 $($(#[doc = $help])+ $field: $ty = $default, $kind $(, by $codec)?;)*

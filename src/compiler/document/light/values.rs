@@ -85,6 +85,11 @@ impl LightValues {
         self.world.range
     }
 
+    /// Makes the light shine on nothing.
+    pub fn darken(&mut self) {
+        self.world.intensity = 0.0;
+    }
+
     /// Makes a directional light shine from `direction`; unit, in world space.
     pub fn shine_from(&mut self, direction: DVec3) {
         self.world.direction = direction.into();

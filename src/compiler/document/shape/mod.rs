@@ -79,6 +79,8 @@ pub(super) enum FieldKind {
     Text(usize),
     /// Id.
     Slug,
+    /// Set of lights: an expression over ids, names and groups.
+    LightSet,
     /// Choice of words, each with its meaning.
     Word(&'static [(&'static str, &'static str)]),
     /// Output `node.port`; the port may be left out.

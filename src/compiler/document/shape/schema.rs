@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use super::{
-    F32, FAR, FieldDefault, FieldKind, LONG, MAX_NUMBERS, NumberBounds, ObjectShape, ShapeField,
+    F32, FAR, FieldDefault, FieldKind, LINE, LONG, MAX_NUMBERS, NumberBounds, ObjectShape,
+    ShapeField,
 };
 use crate::document::described::DescribedObject as _;
 use crate::document::read::AxisAngle;
@@ -118,6 +119,7 @@ fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
         FieldKind::Rotation => refer("rotation", definitions, rotation),
         FieldKind::Text(most) => json!({ "type": "string", "maxLength": most }),
         FieldKind::Slug => json!({ "type": "string", "pattern": SLUG }),
+        FieldKind::LightSet => json!({ "type": "string", "maxLength": LINE }),
         FieldKind::Word(words) => choice(words),
         FieldKind::Output => json!({ "type": "string", "pattern": OUTPUT }),
         FieldKind::Input => json!({ "type": "string", "pattern": INPUT }),

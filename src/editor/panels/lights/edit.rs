@@ -10,10 +10,12 @@ use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, L
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
+use crate::ids::{LightGroup, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::widgets::color;
+use crate::widgets::text;
 use crate::widgets::theme;
 
 const BALL: f32 = 84.0;
@@ -44,6 +46,15 @@ pub(crate) fn edit(
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
             widget = widget.or(space(ui, label, &mut new));
         });
+        let help = "Groups that it belongs to, with commas between them; sets of lights name them";
+        labelled(ui, "Groups", help, |ui, label| {
+            let found =
+                text::formed(ui, label, &light.groups, |groups| groups_text(groups), read_groups);
+            if let Some((changed, groups)) = found {
+                new.groups = groups;
+                widget = widget.or(Some(changed));
+            }
+        });
         for field in LightField::of(new.kind) {
             // Keys and parameters belong to the look, and so do their marks.
             let is_own = owned_light.owner == Owner::Look;
@@ -63,6 +74,23 @@ pub(crate) fn edit(
             out.push(owned_light.changed(session, light, &new).held(widget));
         }
     });
+}
+
+fn groups_text(groups: &[LightGroup]) -> String {
+    groups.iter().map(LightGroup::as_str).collect::<Vec<_>>().join(", ")
+}
+
+fn read_groups(text: &str) -> Result<Vec<LightGroup>, String> {
+    let mut groups: Vec<LightGroup> = Vec::new();
+    for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
+        if !is_slug(word) {
+            return Err(format!("`{word}` is no group: write {}", make_slug(word, |_| false)));
+        }
+        if !groups.iter().any(|group| group.as_str() == word) {
+            groups.push(LightGroup::new(word));
+        }
+    }
+    Ok(groups)
 }
 
 /// Shows one field. Returns the id of the widget that changed it.

@@ -20,10 +20,11 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
 use crate::diag::Diagnostic;
-use crate::document::{Light, Look};
+use crate::document::{Light, LightLink, LightValues, Look};
 use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
 use crate::frame::keys::{RigInputs, Wires};
+use crate::frame::links::unlinked_lights;
 use crate::geometry::MeshPart;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
@@ -43,8 +44,9 @@ struct WornLook<'a> {
     depth_first: bool,
     /// True if values differ between objects of the same exposed values.
     follows_objects: bool,
-    /// Values that objects share, by the exposed values of the objects.
-    known: HashMap<String, Arc<DrawValues>>,
+    /// Values that objects share, by the exposed values of the objects and the lights that reach
+    /// them.
+    known: HashMap<(String, Option<LightLink>), Arc<DrawValues>>,
 }
 
 /// A part of an object with everything that its draw is made of.
@@ -164,22 +166,32 @@ impl<'a> WornLook<'a> {
         })
     }
 
-    /// The values for an object, whose surroundings are `inputs`.
-    fn values(&mut self, inputs: &RigInputs<'_>) -> Result<Arc<DrawValues>, Diagnostic> {
+    /// The values for an object, whose surroundings are `inputs`; lights that are not linked to it
+    /// are dark.
+    fn values(
+        &mut self,
+        inputs: &RigInputs<'_>,
+        link: &LightLink,
+        unlinked: &dyn Fn() -> Vec<LightId>,
+    ) -> Result<Arc<DrawValues>, Diagnostic> {
         if self.follows_objects {
-            return self.computed(inputs).map(Arc::new);
+            return self.computed(inputs, &unlinked()).map(Arc::new);
         }
-        let key = values_key(inputs.exposed);
+        let key = (values_key(inputs.exposed), (!link.is_all()).then(|| link.clone()));
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
-        let values = Arc::new(self.computed(inputs)?);
+        let values = Arc::new(self.computed(inputs, &unlinked())?);
         self.known.insert(key, values.clone());
         Ok(values)
     }
 
     /// The uniforms of the look's module and of the modules before it.
-    fn computed(&self, inputs: &RigInputs<'_>) -> Result<DrawValues, Diagnostic> {
+    fn computed(
+        &self,
+        inputs: &RigInputs<'_>,
+        unlinked: &[LightId],
+    ) -> Result<DrawValues, Diagnostic> {
         let shaders = self.shaders;
         let inputs = RigInputs { lights: &self.lights, ..*inputs };
         let mut made = DrawValues::default();
@@ -191,6 +203,9 @@ impl<'a> WornLook<'a> {
             let wires = Wires::of(&shaders.draw);
             let mut values = shaders.rig.evaluate(&params, table, wires, &inputs)?;
             made.decided = std::mem::take(&mut values.decided);
+            for id in unlinked {
+                values.lights.get_mut(id).map(LightValues::darken);
+            }
             for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
                 if let (true, Some(value)) = (now.value != then.value, now.value) {
                     values.params.entry(id).or_insert(value);
@@ -215,7 +230,8 @@ impl<'a> WornLook<'a> {
 impl PartDraw<'_> {
     fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
         let Self { scene, visible: VisibleObject { number, object }, part, .. } = *self;
-        let values = look.values(&self.rig_inputs())?;
+        let unlinked = || unlinked_lights(scene.setup, object).into_keys().collect();
+        let values = look.values(&self.rig_inputs(), &object.light_link, &unlinked)?;
         let (view, placed) = (&scene.view, &scene.placed[number]);
         let eye_distance = view.eye.distance(placed.center);
         Ok(Draw {

@@ -22,7 +22,7 @@ pub(super) fn push_lights(
     for id in look.lights.keys() {
         let found = dark.iter().find(|((light, _), _)| light == id);
         let (why, proof) = match found {
-            Some((_, why)) => (*why, Proof::NoLight),
+            Some((_, why)) => (why.as_ref(), Proof::NoLight),
             None if is_read(id) => continue,
             None => ("no live node reads it, so that it has no uniforms", Proof::Unreachable),
         };

@@ -18,6 +18,7 @@ use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
 use crate::document::{LightField, Look, Values};
 use crate::frame::keys::{ParamTable, Rig};
+use crate::frame::links::unlinked_lights;
 use crate::frame::setup::{SetupLook, SetupObject};
 use crate::frame::visibility::{CullMode, dark_lights, fields};
 use crate::ids::LightId;
@@ -27,7 +28,7 @@ use crate::library::{Library, Stage};
 const MOST_DARK_SETS: usize = 4;
 
 /// Fields of lights that are 0, with the reasons.
-pub(super) type DarkLights = Vec<((LightId, LightField), &'static str)>;
+pub(super) type DarkLights = Vec<((LightId, LightField), Cow<'static, str>)>;
 
 /// The variants of looks that objects wear, by the object's number and the look's.
 pub(super) type Variants = HashMap<(usize, usize), LookVariant>;
@@ -174,7 +175,9 @@ impl Planner {
                 let look = scene.worn(index, &object.values);
                 let (setup, lights) = (scene.setup, scene.lights(index));
                 let placed = &scene.placed[number];
-                let found = slot.insert(dark_lights(setup, &look, &lights, placed, &scene.view));
+                let unlinked = unlinked_lights(setup, object);
+                let found = dark_lights(setup, &look, &lights, placed, &scene.view, &unlinked);
+                let found = slot.insert(found);
                 sets.entry(index).or_default().insert(fields(found));
             }
         }

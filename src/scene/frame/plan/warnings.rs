@@ -8,6 +8,7 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::diag::Diagnostic;
 use crate::document::{Driver, KeyDirection};
+use crate::frame::links::idle_links;
 use crate::frame::setup::{Setup, SetupLook};
 use crate::frame::uvs::{self, MissingInput};
 use crate::ids::ObjectId;
@@ -32,6 +33,7 @@ impl Planner {
         found.extend(self.lacking_uvs(scene, visible, variants));
         let ids = LazyCell::new(|| ids_of(scene.setup));
         for VisibleObject { object, .. } in visible {
+            found.extend(idle_links(scene.setup, object));
             for look in object.worn_looks() {
                 let look = &scene.setup.looks[look];
                 let is_there = |id: &ObjectId| ids.contains(id);

@@ -1,0 +1,551 @@
+//! Sets of lights, as expressions over ids, names and groups.
+//!
+//! ```text
+//! set    = product (("|" | "-") product)*     both or either; the first without the second
+//! product = term ("&" term)*                  both, before | and -
+//! term   = "*"                                all lights
+//!        | id                                 the light of that id; * and ? stand for any letters
+//!        | "name"                             lights of that name, in double quotes
+//!        | group:NAME                         lights of that group; * and ? as in ids
+//!        | {source}                           what the set was before
+//!        | "(" set ")"
+//! ```
+//!
+//! An id may hold `-`, so a `-` that takes away stands apart from words. The empty text is the set
+//! of no lights.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use super::Light;
+use crate::ids::{LightId, is_slug};
+
+/// Set of lights, with the text that says it.
+#[derive(Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct LightSet {
+    text: String,
+    /// The expression with operators behind their operands.
+    steps: Vec<SetStep>,
+}
+
+/// Step of an expression in postfix order.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum SetStep {
+    Term(SetTerm),
+    Operator(SetOperator),
+}
+
+/// Operator between two sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum SetOperator {
+    Union,
+    Difference,
+    Intersection,
+}
+
+impl SetOperator {
+    /// True if it is applied before `other`, which stands to its left.
+    fn binds_more(self, other: Self) -> bool {
+        self == Self::Intersection && other != Self::Intersection
+    }
+
+    fn apply(self, a: &BTreeSet<LightId>, b: &BTreeSet<LightId>) -> BTreeSet<LightId> {
+        match self {
+            Self::Union => a | b,
+            Self::Difference => a - b,
+            Self::Intersection => a & b,
+        }
+    }
+}
+
+/// Name of lights in a set.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum SetTerm {
+    /// All lights: `*`.
+    All,
+    /// Lights of the set that was there before: `{source}`.
+    Source,
+    /// Lights of an id, in which `*` and `?` stand for any letters.
+    Id(String),
+    /// Lights of a name, in double quotes.
+    Name(String),
+    /// Lights of a group, in which `*` and `?` stand for any letters.
+    Group(String),
+}
+
+impl SetTerm {
+    /// True if a light is named.
+    fn names(&self, id: &LightId, light: &Light) -> bool {
+        match self {
+            Self::All => true,
+            Self::Source => false,
+            Self::Id(pattern) => matches(pattern, id.as_str()),
+            Self::Name(name) => light.name == *name,
+            Self::Group(pattern) => {
+                light.groups.iter().any(|group| matches(pattern, group.as_str()))
+            }
+        }
+    }
+
+    /// The word as it is written, without quotes and `group:`.
+    pub fn word(&self) -> &str {
+        match self {
+            Self::All => "*",
+            Self::Source => SOURCE,
+            Self::Id(word) | Self::Name(word) | Self::Group(word) => word,
+        }
+    }
+}
+
+impl fmt::Display for SetTerm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Name(name) => write!(f, "\"{name}\""),
+            Self::Group(group) => write!(f, "{GROUP}{group}"),
+            _ => f.write_str(self.word()),
+        }
+    }
+}
+
+const SOURCE: &str = "{source}";
+const GROUP: &str = "group:";
+
+/// Reason why a text is no set of lights.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{reason} at character {}", at + 1)]
+pub struct LightSetError {
+    /// Number of characters before the problem.
+    pub at: usize,
+    /// The reason, in a phrase.
+    pub reason: String,
+}
+
+impl LightSet {
+    /// The set of all lights.
+    pub fn all() -> Self {
+        Self { text: "*".to_owned(), steps: vec![SetStep::Term(SetTerm::All)] }
+    }
+
+    /// The set of no lights.
+    pub fn none() -> Self {
+        Self { text: String::new(), steps: Vec::new() }
+    }
+
+    /// Reads an expression.
+    ///
+    /// # Errors
+    /// What is wrong in the text, and where.
+    pub fn parse(text: &str) -> Result<Self, LightSetError> {
+        let steps = SetReader::new(text).steps()?;
+        Ok(Self { text: text.to_owned(), steps })
+    }
+
+    /// The expression as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Ids of the lights of the set; `source` is what the set was before.
+    pub fn of(
+        &self,
+        lights: &IndexMap<LightId, Light>,
+        source: &BTreeSet<LightId>,
+    ) -> BTreeSet<LightId> {
+        let mut open: Vec<BTreeSet<LightId>> = Vec::new();
+        for step in &self.steps {
+            let found = match step {
+                SetStep::Term(SetTerm::Source) => source.clone(),
+                SetStep::Term(term) => {
+                    let named = lights.iter().filter(|(id, light)| term.names(id, light));
+                    named.map(|(id, _)| id.clone()).collect()
+                }
+                SetStep::Operator(operator) => {
+                    let (b, a) = (open.pop().unwrap_or_default(), open.pop().unwrap_or_default());
+                    operator.apply(&a, &b)
+                }
+            };
+            open.push(found);
+        }
+        open.pop().unwrap_or_default()
+    }
+
+    /// Terms that name none of these lights.
+    pub fn idle_terms<'s>(
+        &'s self,
+        lights: &'s IndexMap<LightId, Light>,
+    ) -> impl Iterator<Item = &'s SetTerm> + 's {
+        let terms = self.steps.iter().filter_map(|step| match step {
+            SetStep::Term(SetTerm::All | SetTerm::Source) | SetStep::Operator(_) => None,
+            SetStep::Term(term) => Some(term),
+        });
+        terms.filter(|term| !lights.iter().any(|(id, light)| term.names(id, light)))
+    }
+}
+
+impl fmt::Debug for LightSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "LightSet({:?})", self.text)
+    }
+}
+
+impl TryFrom<String> for LightSet {
+    type Error = LightSetError;
+
+    fn try_from(text: String) -> Result<Self, LightSetError> {
+        Self::parse(&text)
+    }
+}
+
+impl From<LightSet> for String {
+    fn from(set: LightSet) -> Self {
+        set.text
+    }
+}
+
+/// True if `text` is what `pattern` says, where `*` stands for any letters and `?` for one.
+fn matches(pattern: &str, text: &str) -> bool {
+    let (pattern, text) = (pattern.as_bytes(), text.as_bytes());
+    // Where the last `*` stands, and where the text went on behind what it stood for.
+    let (mut p, mut t, mut star) = (0, 0, None);
+    while t < text.len() {
+        match pattern.get(p) {
+            Some(b'*') => {
+                star = Some((p, t));
+                p += 1;
+            }
+            Some(letter) if *letter == b'?' || *letter == text[t] => {
+                p += 1;
+                t += 1;
+            }
+            _ => {
+                let Some((at, from)) = star else { return false };
+                star = Some((at, from + 1));
+                p = at + 1;
+                t = from + 1;
+            }
+        }
+    }
+    pattern[p..].iter().all(|letter| *letter == b'*')
+}
+
+/// Part of the text of a set.
+enum SetToken {
+    Term(SetTerm),
+    Operator(SetOperator),
+    Open,
+    Close,
+}
+
+/// Operator, or parenthesis with its place, that waits for its right side.
+#[derive(Clone, Copy)]
+enum WaitingMark {
+    Operator(SetOperator),
+    Open(usize),
+}
+
+/// Reader of an expression: operators wait until what stands to their right is read.
+struct SetReader<'t> {
+    text: &'t str,
+    /// Bytes that were read.
+    read: usize,
+    steps: Vec<SetStep>,
+    waiting: Vec<WaitingMark>,
+}
+
+impl<'t> SetReader<'t> {
+    fn new(text: &'t str) -> Self {
+        Self { text, read: 0, steps: Vec::new(), waiting: Vec::new() }
+    }
+
+    fn error(&self, at: usize, reason: impl Into<String>) -> LightSetError {
+        LightSetError { at: self.text[..at].chars().count(), reason: reason.into() }
+    }
+
+    fn steps(mut self) -> Result<Vec<SetStep>, LightSetError> {
+        let mut wants_term = true;
+        loop {
+            self.read += self.rest().len() - self.rest().trim_start().len();
+            let at = self.read;
+            let Some(token) = self.token()? else { break };
+            match token {
+                SetToken::Term(term) if wants_term => {
+                    self.steps.push(SetStep::Term(term));
+                    wants_term = false;
+                }
+                SetToken::Open if wants_term => self.waiting.push(WaitingMark::Open(at)),
+                SetToken::Term(_) | SetToken::Open => {
+                    return Err(self.error(at, "`|`, `-` or `&` is missing"));
+                }
+                SetToken::Operator(_) | SetToken::Close if wants_term => {
+                    return Err(self.error(at, "a light or a group is missing"));
+                }
+                SetToken::Operator(operator) => {
+                    self.finish(|waiting| !operator.binds_more(waiting));
+                    self.waiting.push(WaitingMark::Operator(operator));
+                    wants_term = true;
+                }
+                SetToken::Close => {
+                    self.finish(|_| true);
+                    if self.waiting.pop().is_none() {
+                        return Err(self.error(at, "this `)` closes nothing"));
+                    }
+                }
+            }
+        }
+        // An empty text is the set of no lights.
+        if wants_term && !(self.steps.is_empty() && self.waiting.is_empty()) {
+            return Err(self.error(self.text.len(), "a light or a group is missing"));
+        }
+        self.finish(|_| true);
+        match self.waiting.pop() {
+            Some(WaitingMark::Open(at)) => Err(self.error(at, "this `(` is not closed")),
+            _ => Ok(self.steps),
+        }
+    }
+
+    /// Appends waiting operators, up to the parenthesis, as long as they are to be applied.
+    fn finish(&mut self, is_applied: impl Fn(SetOperator) -> bool) {
+        while let Some(WaitingMark::Operator(operator)) = self.waiting.last().copied() {
+            if !is_applied(operator) {
+                return;
+            }
+            self.steps.push(SetStep::Operator(operator));
+            self.waiting.pop();
+        }
+    }
+
+    fn rest(&self) -> &'t str {
+        &self.text[self.read..]
+    }
+
+    /// The next part of the text; `None` at its end.
+    fn token(&mut self) -> Result<Option<SetToken>, LightSetError> {
+        let (rest, at) = (self.rest(), self.read);
+        let Some(first) = rest.chars().next() else { return Ok(None) };
+        let mark = match first {
+            '|' => Some(SetToken::Operator(SetOperator::Union)),
+            '-' => Some(SetToken::Operator(SetOperator::Difference)),
+            '&' => Some(SetToken::Operator(SetOperator::Intersection)),
+            '(' => Some(SetToken::Open),
+            ')' => Some(SetToken::Close),
+            _ => None,
+        };
+        if let Some(mark) = mark {
+            self.read += first.len_utf8();
+            return Ok(Some(mark));
+        }
+        let term = if rest.starts_with(SOURCE) {
+            self.read += SOURCE.len();
+            SetTerm::Source
+        } else if first == '"' {
+            SetTerm::Name(self.quoted()?)
+        } else {
+            match self.word().strip_prefix(GROUP) {
+                Some("") if self.rest().starts_with('"') => {
+                    return Err(self.error(self.read, "groups are written without quotes"));
+                }
+                Some(group) => SetTerm::Group(self.checked(group, at + GROUP.len())?),
+                None => match &self.text[at..self.read] {
+                    "*" => SetTerm::All,
+                    word => SetTerm::Id(self.checked(word, at)?),
+                },
+            }
+        };
+        Ok(Some(SetToken::Term(term)))
+    }
+
+    /// The letters up to the next mark or white space.
+    fn word(&mut self) -> &'t str {
+        let rest = self.rest();
+        let ends = |letter: char| letter.is_whitespace() || "|&()\"{}".contains(letter);
+        let length = rest.find(ends).unwrap_or(rest.len());
+        // A mark that begins nothing is a word of its own, to be refused.
+        let length = length.max(rest.chars().next().map_or(0, char::len_utf8));
+        self.read += length;
+        &rest[..length]
+    }
+
+    /// A name up to the closing quote.
+    fn quoted(&mut self) -> Result<String, LightSetError> {
+        let (inside, at) = (&self.rest()[1..], self.read);
+        let length = inside.find('"').ok_or_else(|| self.error(at, "this `\"` is not closed"))?;
+        self.read += length + 2;
+        Ok(inside[..length].to_owned())
+    }
+
+    /// A word that can be an id, whatever `*` and `?` in it stand for.
+    fn checked(&self, word: &str, at: usize) -> Result<String, LightSetError> {
+        if is_slug(&word.replace(['*', '?'], "_")) {
+            return Ok(word.to_owned());
+        }
+        let reason = if word.is_empty() {
+            "a group is missing".to_owned()
+        } else {
+            format!("`{word}` is no id; write a name with other letters in double quotes")
+        };
+        Err(self.error(at, reason))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::ids::LightGroup;
+
+    fn lights() -> IndexMap<LightId, Light> {
+        let light = |name: &str, groups: &[&str]| Light {
+            name: name.to_owned(),
+            groups: groups.iter().map(|group| LightGroup::new(*group)).collect(),
+            ..Light::default()
+        };
+        IndexMap::from([
+            ("key".into(), light("Key light", &["set", "sun"])),
+            ("fill".into(), light("", &["set"])),
+            ("rim-left".into(), light("Rim", &["rim"])),
+            ("rim-right".into(), light("Rim", &["rim", "set"])),
+            ("eye".into(), light("", &[])),
+        ])
+    }
+
+    fn ids(text: &str) -> String {
+        let source = BTreeSet::from(["eye".into(), "key".into()]);
+        let set = LightSet::parse(text).unwrap_or_else(|why| panic!("{text}: {why}"));
+        assert_eq!(set.text(), text);
+        let found = set.of(&lights(), &source);
+        found.iter().map(LightId::as_str).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn sets_are_said_by_ids_names_and_groups() {
+        for (text, expected) in [
+            ("", ""),
+            ("  ", ""),
+            ("*", "eye fill key rim-left rim-right"),
+            ("key", "key"),
+            ("rim-left|key", "key rim-left"),
+            ("\"Rim\"", "rim-left rim-right"),
+            ("group:rim", "rim-left rim-right"),
+            ("rim-*", "rim-left rim-right"),
+            ("?ey", "key"),
+            ("group:s*", "fill key rim-right"),
+            ("key | group:rim - group:set", "rim-left"),
+            ("key | (group:rim - group:set)", "key rim-left"),
+            ("* - group:set", "eye rim-left"),
+            ("* - (key | fill) - eye", "rim-left rim-right"),
+            ("key | group:rim & group:set", "key rim-right"),
+            ("{source}", "eye key"),
+            ("{source} | fill - key", "eye fill"),
+            ("nobody", ""),
+        ] {
+            assert_eq!(ids(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_place() {
+        for (text, at, reason) in [
+            ("key |", 5, "a light or a group is missing"),
+            ("| key", 0, "a light or a group is missing"),
+            ("key fill", 4, "`|`, `-` or `&` is missing"),
+            ("(key | fill", 0, "this `(` is not closed"),
+            ("()", 1, "a light or a group is missing"),
+            ("(", 1, "a light or a group is missing"),
+            ("key)", 3, "this `)` closes nothing"),
+            ("\"Key", 0, "this `\"` is not closed"),
+            ("group:", 6, "a group is missing"),
+            ("group:\"a b\"", 6, "groups are written without quotes"),
+            ("kéy", 0, "`kéy` is no id; write a name with other letters in double quotes"),
+            ("é | {sauce}", 0, "`é` is no id; write a name with other letters in double quotes"),
+            ("key | {sauce}", 6, "`{` is no id; write a name with other letters in double quotes"),
+        ] {
+            let found = LightSet::parse(text).expect_err(text);
+            assert_eq!(found, LightSetError { at, reason: reason.to_owned() }, "{text}");
+        }
+    }
+
+    #[test]
+    fn terms_that_name_nothing_are_found() {
+        let set = LightSet::parse("kye | group:rims - \"Rim\" & * | {source}").unwrap();
+        let lights = lights();
+        let found: Vec<String> = set.idle_terms(&lights).map(SetTerm::to_string).collect();
+        assert_eq!(found, ["kye", "group:rims"]);
+    }
+
+    /// A set with its members by the algebra of sets, written down for each pair of operands.
+    fn expressions() -> impl Strategy<Value = (String, BTreeSet<LightId>)> {
+        let set = |ids: &[&str]| -> BTreeSet<LightId> {
+            ids.iter().map(|id| LightId::from(*id)).collect()
+        };
+        let terms = prop::sample::select(vec![
+            ("*".to_owned(), set(&["key", "fill", "rim-left", "rim-right", "eye"])),
+            ("key".to_owned(), set(&["key"])),
+            ("\"Rim\"".to_owned(), set(&["rim-left", "rim-right"])),
+            ("group:set".to_owned(), set(&["key", "fill", "rim-right"])),
+            ("{source}".to_owned(), set(&["eye", "key"])),
+            ("missing".to_owned(), set(&[])),
+        ]);
+        terms.prop_recursive(6, 48, 2, |inner| {
+            let operator = prop::sample::select(vec!['|', '-', '&']);
+            (inner.clone(), operator, inner).prop_map(|((a, x), operator, (b, y))| {
+                let members = match operator {
+                    '|' => x.union(&y).cloned().collect(),
+                    '-' => x.difference(&y).cloned().collect(),
+                    _ => x.intersection(&y).cloned().collect(),
+                };
+                (format!("({a}) {operator} ({b})"), members)
+            })
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn sets_are_those_of_their_algebra((text, members) in expressions()) {
+            let source = BTreeSet::from(["eye".into(), "key".into()]);
+            let set = LightSet::parse(&text).unwrap();
+            prop_assert_eq!(set.of(&lights(), &source), members);
+        }
+
+        #[test]
+        fn laws_of_sets_hold(sets in [expressions(), expressions(), expressions()]) {
+            let [a, b, c] = sets.map(|(text, _)| text);
+            for (one, other) in [
+                (format!("({a}) - ({b})"), format!("({a}) & (* - ({b}))")),
+                (format!("* - (({a}) | ({b}))"), format!("(* - ({a})) & (* - ({b}))")),
+                (format!("({a}) & (({b}) | ({c}))"), format!("({a}) & ({b}) | ({a}) & ({c})")),
+                (format!("({a}) - ({b}) - ({c})"), format!("({a}) - (({b}) | ({c}))")),
+                (format!("({a}) | ({b}) & ({c})"), format!("({a}) | (({b}) & ({c}))")),
+            ] {
+                prop_assert_eq!(ids(&one), ids(&other), "{} and {}", one, other);
+            }
+        }
+
+        #[test]
+        fn no_text_is_too_odd(text in ".{0,40}") {
+            drop(LightSet::parse(&text));
+        }
+
+        #[test]
+        fn patterns_match_as_they_read(pattern in "[ab?*]{0,7}", text in "[ab]{0,8}") {
+            fn by_the_letter(pattern: &[u8], text: &[u8]) -> bool {
+                match (pattern, text) {
+                    ([], []) => true,
+                    ([b'*', rest @ ..], _) => {
+                        (0..=text.len()).any(|skipped| by_the_letter(rest, &text[skipped..]))
+                    }
+                    ([letter, rest @ ..], [first, others @ ..]) => {
+                        (*letter == b'?' || letter == first) && by_the_letter(rest, others)
+                    }
+                    _ => false,
+                }
+            }
+            let expected = by_the_letter(pattern.as_bytes(), text.as_bytes());
+            prop_assert_eq!(matches(&pattern, &text), expected);
+        }
+    }
+}
