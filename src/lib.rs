@@ -44,8 +44,8 @@
 //!
 //! Lights:
 //! - Fields: rows in `compiler/document/light/mod.rs` (`light_fields!`).
-//! - Sets and links: `compiler/document/light/set.rs` (`LightSet`), `compiler/document/light/link.rs`
-//!   (`LightLink`); of objects: `scene/frame/links.rs` (`unlinked_lights`).
+//! - Sets of lights: `compiler/document/light/set.rs` (`LightSet`); links to objects:
+//!   `compiler/document/light/link.rs` (`LightLink`), `scene/frame/links.rs` (`unlinked_lights`).
 //! - Fading with distance, and the cone: `shaders/lib/light.wgsl` (`light_fading`, `light_cone`).
 //! - A scene's lights in place of a look's, by id: `scene/frame/plan/placement.rs` (`lights`),
 //!   `scene/frame/keys/rig.rs` (`keyed_values`).

@@ -1,5 +1,5 @@
-//! Lines of text: a hint in place of missing content, a cell that is cut where it is too long, and a
-//! field for texts with a form of their own.
+//! Lines of text: a hint in place of missing content, a cell that is cut where it is too long, and
+//! a field for texts with a form of their own.
 
 use eframe::egui;
 use eframe::egui::{Id, RichText, TextEdit, Ui};

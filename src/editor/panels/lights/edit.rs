@@ -46,15 +46,6 @@ pub(crate) fn edit(
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
             widget = widget.or(space(ui, label, &mut new));
         });
-        let help = "Groups that it belongs to, with commas between them; sets of lights name them";
-        labelled(ui, "Groups", help, |ui, label| {
-            let found =
-                text::formed(ui, label, &light.groups, |groups| groups_text(groups), read_groups);
-            if let Some((changed, groups)) = found {
-                new.groups = groups;
-                widget = widget.or(Some(changed));
-            }
-        });
         for field in LightField::of(new.kind) {
             // Keys and parameters belong to the look, and so do their marks.
             let is_own = owned_light.owner == Owner::Look;
@@ -69,6 +60,15 @@ pub(crate) fn edit(
                 widget = widget.or(value(ui, label, field, &mut new, session.look().color_space));
             });
         }
+        let help = "Groups that it belongs to, with commas between them; sets of lights name them";
+        labelled(ui, "Groups", help, |ui, label| {
+            let found =
+                text::formed(ui, label, &light.groups, |groups| groups_text(groups), read_groups);
+            if let Some((changed, groups)) = found {
+                new.groups = groups;
+                widget = widget.or(Some(changed));
+            }
+        });
         out.append(&mut asked);
         if let Some(widget) = widget.filter(|_| new != *light) {
             out.push(owned_light.changed(session, light, &new).held(widget));

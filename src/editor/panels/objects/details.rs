@@ -4,13 +4,12 @@ use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
 use crate::commands::{FilePurpose, SceneCommand};
-use crate::document::{LightSet, Object, Transform};
+use crate::document::{Object, Transform};
 use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
-use crate::widgets::text;
 
 /// Smallest scale: at 0 an object vanishes.
 const LEAST_SCALE: f64 = 1e-3;
@@ -45,7 +44,6 @@ impl Details {
                 mesh(ui, label, open_scene, id, object, out);
             });
             looks(ui, open_scene, id, object, out);
-            lights(ui, open_scene, id, object, out);
             let mut new = object.transform;
             let mut widget = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
@@ -155,33 +153,6 @@ fn mesh(
         }
     });
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
-}
-
-/// Shows the sets of lights that reach the object, and of those that do not all the same.
-fn lights(
-    ui: &mut Ui,
-    open_scene: &OpenScene,
-    id: &ObjectId,
-    object: &Object,
-    out: &mut Vec<SceneCommand>,
-) {
-    const SETS: &str = "* is every light; key | group:rim - group:set says more: ids, \"names\" and \
-                        groups, with | for either, - for without, & for both, and ( )";
-    let read = |text: &str| LightSet::parse(text).map_err(|why| why.to_string());
-    let shown = |set: &LightSet| set.text().to_owned();
-    labelled(ui, "Lit by", &format!("Lights that reach it. {SETS}"), |ui, label| {
-        if let Some((widget, set)) = text::formed(ui, label, &object.linked, shown, read) {
-            let edit = open_scene.change(id, |object| object.linked = set);
-            out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
-        }
-    });
-    let help = format!("Lights that do not reach it all the same; {{source}} is Lit by. {SETS}");
-    labelled(ui, "Not lit by", &help, |ui, label| {
-        if let Some((widget, set)) = text::formed(ui, label, &object.unlinked, shown, read) {
-            let edit = open_scene.change(id, |object| object.unlinked = set);
-            out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
-        }
-    });
 }
 
 /// Shows a row for the look of all materials, and one for each material where the mesh has several
