@@ -7,7 +7,7 @@ use indexmap::IndexMap;
 
 use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightSet, LinkRule, SetTerm};
+use crate::document::{Light, LinkRule, SetTerm};
 use crate::ids::{LightId, ObjectId};
 
 /// A light and an object, and whether the one reaches the other.
@@ -24,16 +24,8 @@ pub struct LightReach {
 }
 
 impl Setup {
-    /// Lights of a look as the scene has them: those of the scene replace the look's of the same
-    /// id. Lights of the scene that the look does not have are not among them.
-    pub fn lights_of_look(&self, look: usize) -> IndexMap<LightId, Light> {
-        let of_scene = |id: &LightId| self.scene.lights.get(id);
-        let own = self.looks[look].look.lights.iter();
-        own.map(|(id, light)| (id.clone(), of_scene(id).unwrap_or(light).clone())).collect()
-    }
-
     /// All lights that an object's links may name: the scene's, then those of the object's looks.
-    pub fn lights_about(&self, object: &SetupObject) -> IndexMap<LightId, Light> {
+    fn lights_about(&self, object: &SetupObject) -> IndexMap<LightId, Light> {
         let mut lights = self.scene.lights.clone();
         let looks: BTreeSet<usize> = object.worn_looks().collect();
         for (id, light) in looks.into_iter().flat_map(|look| &self.looks[look].look.lights) {
@@ -86,14 +78,10 @@ pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic>
     }
     let lights = setup.lights_about(object);
     let fields = [("linked", &link.linked), ("unlinked", &link.unlinked)];
-    let of_field = |(field, set): (&'static str, &LightSet)| {
-        let idle: Vec<Diagnostic> = set
-            .idle_terms(&lights)
-            .map(|term| idle_term(setup, object, field, term, &lights))
-            .collect();
-        idle
-    };
-    fields.into_iter().flat_map(of_field).collect()
+    let idle = fields
+        .into_iter()
+        .flat_map(|(field, set)| set.idle_terms(&lights).map(move |term| (field, term)));
+    idle.map(|(field, term)| idle_term(setup, object, field, term, &lights)).collect()
 }
 
 fn idle_term(

@@ -14,11 +14,11 @@ mod report;
 mod source;
 mod stl;
 
-use std::io::{self, Cursor};
+use std::io::Cursor;
 use std::path::Path;
 
 use self::report::{ImportProblem, ImportReport};
-use self::source::Source;
+use self::source::{Source, unreadable};
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
@@ -76,7 +76,8 @@ fn import_file(
     siblings: Siblings,
 ) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
     let mut report = ImportReport::new(name);
-    let soup = match open(file).and_then(|source| read(name, &source, siblings, &mut report)) {
+    let source = Source::whole(file).map_err(|why| unreadable(&why).into());
+    let soup = match source.and_then(|source| read(name, &source, siblings, &mut report)) {
         Ok(soup) => soup,
         Err(problem) => {
             report.add(*problem);
@@ -101,19 +102,12 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Di
         } else {
             "check the spelling and the folder"
         };
-        let problem = Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
-        vec![problem.in_file(name.as_str()).hint(hint)]
+        vec![unreadable(&why).in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     import_file(&name, file, &|sibling| {
         files.open(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
     })
-}
-
-fn open<'f>(file: Box<dyn OpenFile + 'f>) -> Result<Source<'f>, ImportProblem> {
-    let unreadable =
-        |why: io::Error| Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
-    Source::whole(file).map_err(|why| unreadable(why).into())
 }
 
 fn read(

@@ -1,6 +1,7 @@
 //! Bytes of a file, read where they are asked for, so that a file of a gigabyte is nowhere whole.
 
 use std::cell::RefCell;
+use std::fmt::Display;
 use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::ops::Range;
 use std::rc::Rc;
@@ -61,10 +62,13 @@ impl<'f> Source<'f> {
                 file.seek(SeekFrom::Start(place))?;
                 file.read_exact(into)
             });
-        read.map_err(|why| {
-            Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}")).into()
-        })
+        read.map_err(|why| unreadable(&why).into())
     }
+}
+
+/// The error for a file that the system does not read.
+pub(super) fn unreadable(why: &dyn Display) -> Diagnostic {
+    Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"))
 }
 
 #[cfg(test)]
