@@ -46,6 +46,8 @@
 //! - Fields: rows in `compiler/document/light/mod.rs` (`light_fields!`).
 //! - Sets of lights: `compiler/document/light/set.rs` (`LightSet`); links to objects:
 //!   `compiler/document/light/link.rs` (`LightLink`), `scene/frame/links.rs` (`unlinked_lights`).
+//! - Mutes, solos and masters of groups: `compiler/document/light/master.rs` (`GroupMaster`),
+//!   `scene/frame/mix.rs` (`light_mix`).
 //! - Fading with distance, and the cone: `shaders/lib/light.wgsl` (`light_fading`, `light_cone`).
 //! - A scene's lights in place of a look's, by id: `scene/frame/plan/placement.rs` (`lights`),
 //!   `scene/frame/keys/rig.rs` (`keyed_values`).

@@ -204,7 +204,8 @@ fn sine_of(x: f32) -> f32 {
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
     let coarse = fma(turns, -0.0009670257568359375, fma(turns, -3.140625, b));
     let r = fma(turns, -6.27832957300962643e-7, coarse);
-    return sine_turned(clamp(r, -HALF_PI, HALF_PI), turns);
+    // Far out, rounding of the turns leaves somewhat more than a quarter turn.
+    return sine_turned(clamp(r, -1.6, 1.6), turns);
 }
 
 /// [`sine_of`] where two parts of pi are enough.
@@ -227,7 +228,7 @@ fn cosine_of(x: f32) -> f32 {
     let middle = turns + 0.5;
     let coarse = fma(middle, -0.0009670257568359375, fma(middle, -3.140625, b));
     let r = fma(middle, -6.27832957300962643e-7, coarse);
-    return sine_turned(-clamp(r, -HALF_PI, HALF_PI), turns);
+    return sine_turned(-clamp(r, -1.6, 1.6), turns);
 }
 
 /// [`cosine_of`] where two parts of pi are enough.
@@ -238,14 +239,10 @@ fn cosine_near(x: f32) -> f32 {
     return sine_turned(r, turns);
 }
 
-/// sin(r + pi turns) for |r| <= pi/2 and whole turns: a minimax polynomial (absolute error below
-/// 5e-9 beside rounding).
+/// sin(r + pi turns) for |r| <= 1.6 and whole turns.
 fn sine_turned(r: f32, turns: f32) -> f32 {
-    let y = r * r;
-    let high = fma(y, 0.0000026000545937497925, -0.00019806615122643014);
-    let s = fma(r * y, fma(y, fma(y, high, 0.008333017290471173), -0.16666657096459908), r);
     // Odd turns, of which half is left, turn the sign.
-    return clamp(s * fma(fract(turns * 0.5), -4.0, 1.0), -1.0, 1.0);
+    return sine_low(r) * fma(fract(turns * 0.5), -4.0, 1.0);
 }
 
 /// sin(r) for |r| <= 1.6, a quarter turn and some more: a minimax polynomial (absolute error below

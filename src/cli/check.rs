@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
-use super::output::{Output, once};
+use super::output::{Output, once, raise};
 use super::scene;
 use crate::compile::{CompileOptions, Live, TypedSource, check as check_look, compile_typed};
 use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
@@ -25,7 +25,8 @@ Examples:
 
 Each problem has a severity, a code that stays the same between versions, a place (file, line, \
 column, JSON path,
-node, port), and help. The exit code is 1 where there is an error; warnings alone give 0.";
+node, port), and help. The exit code is 1 where there is an error; warnings alone give 0 \
+without --strict.";
 
 /// Arguments of `chiaro check`.
 #[derive(Debug, clap::Args)]
@@ -37,12 +38,15 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside each document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// Take warnings for errors, so that the exit code is 1
+    #[arg(long)]
+    strict: bool,
     /// Print the problems as a JSON list
     #[arg(long)]
     json: bool,
 }
 
-/// Checks the files. Returns true if any error was found.
+/// Checks the files. Returns true if any error was found, or where that is asked any warning.
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let mut checker = Checker { nodes: arguments.nodes.as_deref(), ..Checker::default() };
@@ -56,7 +60,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Di
         }
     }
     files.iter().for_each(|file| checker.document(file));
-    let problems = once(checker.problems);
+    let mut problems = once(checker.problems);
+    if arguments.strict {
+        raise(&mut problems);
+    }
     if arguments.json {
         output.json(&json!(problems));
     } else {

@@ -1,7 +1,6 @@
 //! `chiaro lights`: the lights of a scene, and which of them reach which objects by which rule.
 //! Needs no GPU.
 
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -9,7 +8,7 @@ use serde_json::{Value as Json, json};
 
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Light, LinkRule};
+use crate::document::Light;
 use crate::frame::{Assets, LightReach, Setup, open};
 use crate::ids::LightId;
 
@@ -66,22 +65,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 
 /// Lights of the scene, then those that its looks have besides.
 fn owned_lights(setup: &Setup) -> Vec<OwnedLight> {
-    let mut ids: Vec<&LightId> = setup.scene.lights.keys().collect();
-    let mut known: BTreeSet<&LightId> = ids.iter().copied().collect();
-    let of_looks = setup.looks.iter().flat_map(|look| look.look.lights.keys());
-    ids.extend(of_looks.filter(|id| known.insert(id)));
-    let owned = |id: &LightId| {
-        let of_scene = setup.scene.lights.get(id);
-        let having = setup.looks.iter().filter(|look| look.look.lights.contains_key(id));
-        let light = of_scene.or_else(|| having.clone().find_map(|look| look.look.lights.get(id)));
-        OwnedLight {
-            id: id.clone(),
-            light: light.cloned().unwrap_or_default(),
-            is_of_scene: of_scene.is_some(),
-            looks: having.map(|look| look.look.name.clone()).collect(),
-        }
+    let owned = |(id, light): (LightId, Light)| {
+        let having = setup.looks.iter().filter(|look| look.look.lights.contains_key(&id));
+        let looks = having.map(|look| look.look.name.clone()).collect();
+        OwnedLight { is_of_scene: setup.scene.lights.contains_key(&id), id, light, looks }
     };
-    ids.into_iter().map(owned).collect()
+    setup.all_lights().into_iter().map(owned).collect()
 }
 
 fn groups(light: &Light) -> Vec<&str> {
@@ -99,8 +88,8 @@ fn light_json(OwnedLight { id, light, is_of_scene, looks }: &OwnedLight) -> Json
     })
 }
 
-fn reach_json(LightReach { object, light, rule, words }: &LightReach) -> Json {
-    json!({ "object": object, "light": light, "reaches": *rule == LinkRule::Linked, "rule": words })
+fn reach_json(LightReach { object, light, reaches, words }: &LightReach) -> Json {
+    json!({ "object": object, "light": light, "reaches": reaches, "rule": words })
 }
 
 /// One light a line.
@@ -142,9 +131,9 @@ fn matrix(lights: &[OwnedLight], reach: &[LightReach]) -> String {
     for row in &objects {
         let _ = write!(text, "{:widest$}", row[0].object.as_str());
         for OwnedLight { id, .. } in lights {
-            let mark = match row.iter().find(|cell| cell.light == *id).map(|cell| cell.rule) {
-                Some(LinkRule::Linked) => "x",
-                Some(_) => "-",
+            let mark = match row.iter().find(|cell| cell.light == *id).map(|cell| cell.reaches) {
+                Some(true) => "x",
+                Some(false) => "-",
                 None => "",
             };
             let _ = write!(text, "  {mark:^0$}", id.as_str().len());
@@ -152,8 +141,7 @@ fn matrix(lights: &[OwnedLight], reach: &[LightReach]) -> String {
         text = text.trim_end().to_owned() + "\n";
     }
     text += "\nx: it reaches the object; -: it does not; nothing: no look of the object has it\n";
-    let apart: Vec<&LightReach> =
-        reach.iter().filter(|cell| cell.rule != LinkRule::Linked).collect();
+    let apart: Vec<&LightReach> = reach.iter().filter(|cell| !cell.reaches).collect();
     if !apart.is_empty() {
         text.push('\n');
     }

@@ -7,7 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::Value as Json;
 
-use crate::diag::{Diagnostic, reason};
+use crate::diag::{Diagnostic, Severity, reason};
 use crate::progress::Progress;
 
 /// Output of results and messages.
@@ -118,6 +118,13 @@ fn on_terminal(text: &str) {
     if err.is_terminal() {
         let _ = write!(err, "{text}");
         let _ = err.flush();
+    }
+}
+
+/// Makes errors of warnings, for who is strict.
+pub(super) fn raise(diagnostics: &mut [Diagnostic]) {
+    for diagnostic in diagnostics.iter_mut().filter(|one| one.severity == Severity::Warning) {
+        diagnostic.severity = Severity::Error;
     }
 }
 

@@ -6,13 +6,13 @@ use std::str::FromStr;
 use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
-use super::output::{Output, once};
+use super::output::{Output, once, raise};
 use super::scene::check_values;
 use super::target::{OutputPath, outputs, reads_all};
 use super::tier::{self, TierChoice};
 use crate::clock::Clock;
 use crate::compile::Live;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::document::{Camera, Scene, Tier, parse_hex};
 use crate::files::OutputKind;
 use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, open};
@@ -83,6 +83,9 @@ pub(super) struct Arguments {
     /// Draw as while the look is edited: every value is a uniform, and nothing is folded
     #[arg(long)]
     live: bool,
+    /// Refuse to draw while anything is warned about, such as lights that are soloed
+    #[arg(long)]
+    strict: bool,
     /// Replace a file that Chiaro did not render
     #[arg(long)]
     force: bool,
@@ -136,10 +139,10 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     outputs.check(target, OutputKind::PICTURE).map_err(one)?;
     let clock = Clock::start();
     let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
-    output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (mut setup, mut warnings) =
+    let (mut setup, of_document) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
+    let mut warnings = [std::mem::take(&mut library.problems), of_document].concat();
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
@@ -171,6 +174,10 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let live = if arguments.live { Live::All } else { style.live() };
     let plan = planner.plan(&setup, &library, &live, &options)?.tell(&mut warnings);
     milestones::reached("first shaders");
+    if arguments.strict && warnings.iter().any(|one| one.severity == Severity::Warning) {
+        raise(&mut warnings);
+        return Err(once(warnings));
+    }
     output.diagnostics(&warnings);
     let mut executor = executor(arguments.on, output).await.map_err(one)?;
     let of_device = executor.warnings(&plan);

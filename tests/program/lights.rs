@@ -92,3 +92,59 @@ fn a_link_that_names_nothing_is_warned_about() {
     assert_eq!(told.status.code(), Some(1));
     assert!(String::from_utf8(told.stderr).unwrap().contains("error[bad-light-set]"));
 }
+
+#[test]
+fn mutes_and_solos_are_told_with_what_decides() {
+    let mut scene = scene("*", "");
+    scene["muted"] = json!("back | group:rim");
+    let words = |scene: &Json| String::from_utf8(lights(scene, &["--matrix"]).stdout).unwrap();
+    let told = words(&scene);
+    assert!(told.contains("rim does not reach hero: `muted` (`back | group:rim`) has it\n"));
+    // A light that is soloed shines, muted or not.
+    scene["soloed"] = json!("group:rim");
+    let told = words(&scene);
+    assert!(told.contains("key does not reach hero: `soloed` (`group:rim`) has it not\n"));
+    assert!(!told.contains("rim does not"), "{told}");
+    scene["light_groups"] = json!({"rim": {"intensity": 0}, "rims": {"exposure": 1}});
+    let told = lights(&scene, &["--matrix"]);
+    let (table, said) = (String::from_utf8(told.stdout), String::from_utf8(told.stderr).unwrap());
+    assert!(table.unwrap().contains("rim does not reach hero: the master of its group `rim` is 0"));
+    for words in [
+        "warning[unknown-light]: the scene has a master of the group `rims`, of which no light is",
+        "did you mean `rim`?",
+        "warning[soloed-lights]: `rim` is soloed, so that no other light shines",
+        "(at soloed)",
+    ] {
+        assert!(said.contains(words), "{words}\n{said}");
+    }
+}
+
+#[test]
+fn a_solo_that_is_left_on_is_told_and_refused_by_the_strict() {
+    let mut scene = scene("*", "");
+    scene["soloed"] = json!("key");
+    let folder = tempfile::tempdir().unwrap();
+    let (path, picture) = (folder.path().join("scene.json"), folder.path().join("made.png"));
+    let chiaro = |arguments: &[&str]| {
+        let mut chiaro = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        chiaro.env("CHIARO_CACHE_DIR", "").args(arguments).output().unwrap()
+    };
+    let [path_text, picture_text] = [&path, &picture].map(|path| path.to_str().unwrap());
+    let render = ["render", path_text, "-o", picture_text, "-s", "32x24"];
+    let strict = [&render[..], &["--strict"]].concat();
+    std::fs::write(&path, scene.to_string()).unwrap();
+    let refused = chiaro(&strict);
+    assert_eq!(refused.status.code(), Some(1));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(said.contains("error[soloed-lights]: `key` is soloed"), "{said}");
+    assert!(!picture.exists());
+    assert_eq!(chiaro(&["check", path_text, "--strict"]).status.code(), Some(1));
+    assert_eq!(chiaro(&["check", path_text]).status.code(), Some(0));
+    let told = chiaro(&render);
+    assert!(told.status.success() && picture.exists());
+    assert!(String::from_utf8(told.stderr).unwrap().contains("warning[soloed-lights]"));
+    scene["soloed"] = json!("");
+    std::fs::write(&path, scene.to_string()).unwrap();
+    let done = chiaro(&strict);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+}

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
 use chiaro::compile::Live;
-use chiaro::document::{LightLink, LightSet, Scene};
+use chiaro::document::{GroupMaster, LightLink, LightSet, Scene};
 use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup, SetupLook};
 use chiaro::library::Library;
 use glam::{DMat4, DVec3};
@@ -156,4 +156,55 @@ fn many_links_of_one_look_are_no_more_modules_than_a_few() {
         let differing = is_own.filter(|(own, all)| **own != background && own != all).count();
         assert!(differing < 12, "{number}: {differing} pixels");
     }
+}
+
+#[test]
+fn masters_mutes_and_solos_are_what_other_intensities_are() {
+    let looks = |intensities| [intensities; 3].map(layers);
+    let mixed = |change: &dyn Fn(&mut Scene)| {
+        let mut setup = setup(looks([0.8, 0.6, 0.9]));
+        change(&mut setup.scene);
+        setup
+    };
+    let set = |text| LightSet::parse(text).unwrap();
+    let master = |intensity, exposure, tint| {
+        [("set".into(), GroupMaster { intensity, exposure, tint, ..GroupMaster::default() })].into()
+    };
+    type MixCase<'a> = (&'a dyn Fn(&mut Scene), [f64; 3]);
+    let cases: [MixCase<'_>; 5] = [
+        (&|scene| scene.muted = set("fill"), [0.8, 0.0, 0.9]),
+        (&|scene| scene.soloed = set("\"Rim light\""), [0.0, 0.0, 0.9]),
+        (&|scene| (scene.muted, scene.soloed) = (set("*"), set("group:set")), [0.8, 0.6, 0.0]),
+        (&|scene| scene.light_groups = master(0.5, 1.0, [1.0; 3]), [0.8, 0.6, 0.9]),
+        (&|scene| scene.light_groups = master(0.25, -1.0, [1.0; 3]), [0.1, 0.075, 0.9]),
+    ];
+    for (number, (change, intensities)) in cases.into_iter().enumerate() {
+        for live in [Live::Keyed, Live::All] {
+            let (got, wanted) = (mixed(change), setup(looks(intensities)));
+            let [got, wanted] = [got, wanted].map(|setup| pixels(&plan(&setup, &live)));
+            assert!(got == wanted, "case {number}, {live:?}");
+        }
+    }
+    // A tint is of the color: what is left without red has none of it.
+    let blue = mixed(&|scene| scene.light_groups = master(1.0, 0.0, [0.0, 0.0, 1.0]));
+    let mut wanted = setup(looks([0.8, 0.6, 0.9]));
+    for look in &mut wanted.looks {
+        let lights = look.look.lights.values_mut().filter(|light| !light.groups.is_empty());
+        lights.for_each(|light| light.color = [0.0, 0.0, 1.0]);
+    }
+    let [blue, wanted] = [blue, wanted].map(|setup| pixels(&plan(&setup, &Live::Keyed)));
+    assert!(blue == wanted);
+}
+
+#[test]
+fn what_is_out_costs_nothing() {
+    let mut scene = setup(std::array::from_fn(|_| layers([0.8, 0.6, 0.9])));
+    scene.scene.soloed = LightSet::parse("rim").unwrap();
+    let plan = plan(&scene, &Live::Keyed);
+    for draw in &plan.draws {
+        let lights: BTreeSet<&str> = draw.look.host.lights().map(AsRef::as_ref).collect();
+        assert_eq!(lights, BTreeSet::from(["rim"]));
+    }
+    let why = plan.dropped.iter().find(|dropped| dropped.what == "light `key`").unwrap();
+    assert_eq!(why.why, "it is out: `soloed` (`rim`) has it not");
 }

@@ -4,11 +4,11 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::light::{Light, LightLink, LightSet};
+use super::light::{GroupMaster, Light, LightLink, LightSet};
 use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::value::Values;
 use super::word::WordChoice as _;
-use crate::ids::{LightId, ObjectId};
+use crate::ids::{LightGroup, LightId, ObjectId};
 
 described! {
     /// Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time
@@ -31,6 +31,14 @@ described! {
         /// Lights that replace those of the same id in every look of the scene, by id.
         lights: IndexMap<LightId, Light> = IndexMap::new(),
             FieldKind::Map(&FieldKind::Object(Light::shape), 1000);
+        /// Masters of groups of lights, by group; those of all groups of a light multiply.
+        light_groups: IndexMap<LightGroup, GroupMaster> = IndexMap::new(),
+            FieldKind::Map(&FieldKind::Object(GroupMaster::shape), 1000);
+        /// Lights that are out, of the scene and of its looks.
+        muted: LightSet = LightSet::none(), FieldKind::LightSet;
+        /// Lights that shine alone, muted or not; where none of the lights is one of these, all
+        /// shine that are not muted.
+        soloed: LightSet = LightSet::none(), FieldKind::LightSet;
         /// The rotation of the illumination frame: world from illumination frame.
         illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Camera of the picture.

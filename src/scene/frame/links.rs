@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 
 use indexmap::IndexMap;
 
+use super::mix::LightMix;
 use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LinkRule, SetTerm};
+use crate::document::{Light, LightSet, LinkRule, SetTerm};
 use crate::ids::{LightId, ObjectId};
 
 /// A light and an object, and whether the one reaches the other.
@@ -17,9 +18,9 @@ pub struct LightReach {
     pub object: ObjectId,
     /// The light.
     pub light: LightId,
-    /// Rule that decides.
-    pub rule: LinkRule,
-    /// The rule in words, with the expression that decides.
+    /// True if it reaches the object.
+    pub reaches: bool,
+    /// The rule that decides, in words, with its expression.
     pub words: String,
 }
 
@@ -34,26 +35,44 @@ impl Setup {
         lights
     }
 
-    /// Warnings of links that name a light, or a group, which there is not.
+    /// Warnings of links, mutes, solos and masters: of names that there are not, and of lights that
+    /// shine alone.
     pub fn light_warnings(&self) -> Vec<Diagnostic> {
-        self.objects.iter().flat_map(|object| idle_links(self, object)).collect()
+        let links = self.objects.iter().flat_map(|object| idle_links(self, object));
+        self.mix_warnings().into_iter().chain(links).collect()
     }
 
     /// Every visible object with every light that it is about, by object.
     pub fn light_reach(&self) -> Vec<LightReach> {
+        let mix = self.light_mix();
         let mut found = Vec::new();
         for object in &self.objects {
             let link = &object.light_link;
             for (light, rule) in link.rules(&self.lights_about(object)) {
-                let (object, words) = (object.id.clone(), link.words(rule));
-                found.push(LightReach { object, light, rule, words });
+                let out = mix.why_out(&light).filter(|_| rule == LinkRule::Linked);
+                let words = out.map_or_else(|| link.words(rule), |why| why.clone().into_owned());
+                let reaches = rule == LinkRule::Linked && out.is_none();
+                found.push(LightReach { object: object.id.clone(), light, reaches, words });
             }
         }
         found
     }
 }
 
-/// Lights that do not reach an object, each with the reason.
+/// Lights that do not reach an object, each with the reason: they are not linked to it, or out.
+pub(super) fn unlit(
+    setup: &Setup,
+    mix: &LightMix,
+    object: &SetupObject,
+) -> IndexMap<LightId, Cow<'static, str>> {
+    let mut unlit = unlinked_lights(setup, object);
+    for (id, why) in mix.out() {
+        unlit.entry(id.clone()).or_insert_with(|| format!("it is out: {why}").into());
+    }
+    unlit
+}
+
+/// Lights that are not linked to an object, each with the reason.
 pub(super) fn unlinked_lights(
     setup: &Setup,
     object: &SetupObject,
@@ -77,39 +96,49 @@ pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic>
         return Vec::new();
     }
     let lights = setup.lights_about(object);
+    let index = setup.scene.objects.get_index_of(&object.id).unwrap_or_default();
     let fields = [("linked", &link.linked), ("unlinked", &link.unlinked)];
-    let idle = fields
-        .into_iter()
-        .flat_map(|(field, set)| set.idle_terms(&lights).map(move |term| (field, term)));
-    idle.map(|(field, term)| idle_term(setup, object, field, term, &lights)).collect()
+    let idle = fields.into_iter().flat_map(|(field, set)| {
+        let whose = format!("`{field}` of object `{}`", object.id);
+        idle_terms(setup, &(whose, format!("objects[{index}].{field}")), set, &lights)
+    });
+    idle.collect()
 }
 
-fn idle_term(
+/// Warnings of a set's terms that name none of the lights. `place` is whose set it is, and where in
+/// the scene's document.
+pub(super) fn idle_terms(
     setup: &Setup,
-    object: &SetupObject,
-    field: &'static str,
-    term: &SetTerm,
+    (whose, json_path): &(String, String),
+    set: &LightSet,
     lights: &IndexMap<LightId, Light>,
-) -> Diagnostic {
-    let groups = || lights.values().flat_map(|light| &light.groups).map(AsRef::as_ref);
-    let names = || lights.values().map(|light| light.name.as_str()).filter(|name| !name.is_empty());
-    let ids = || lights.keys().map(AsRef::as_ref);
-    let (what, known): (&str, Vec<&str>) = match term {
-        SetTerm::Group(_) => ("group of lights", groups().collect()),
-        SetTerm::Name(_) => ("light of the name", names().collect()),
-        _ => ("light", ids().collect()),
+) -> Vec<Diagnostic> {
+    let idle = |term: &SetTerm| {
+        let (what, known): (&str, Vec<&str>) = match term {
+            SetTerm::Group(_) => ("group of lights", groups(lights).collect()),
+            SetTerm::Name(_) => ("light of the name", names(lights).collect()),
+            _ => ("light", lights.keys().map(AsRef::as_ref).collect()),
+        };
+        let word = term.word();
+        let message = format!("{whose} names the {what} `{word}`, which there is not");
+        let problem = Diagnostic::warning("unknown-light", message).suggest(word, known);
+        located(setup, problem, json_path.clone())
     };
-    let word = term.word();
-    let message = format!(
-        "`{field}` of object `{}` names the {what} `{word}`, which there is not",
-        object.id
-    );
-    let mut problem = Diagnostic::warning("unknown-light", message).suggest(word, known);
-    if let (Some(source), Some(index)) =
-        (&setup.source, setup.scene.objects.get_index_of(&object.id))
-    {
-        problem = problem.json_path(format!("objects[{index}].{field}"));
-        source.locate(&mut problem);
-    }
+    set.idle_terms(lights).map(idle).collect()
+}
+
+fn groups(lights: &IndexMap<LightId, Light>) -> impl Iterator<Item = &str> {
+    lights.values().flat_map(|light| &light.groups).map(AsRef::as_ref)
+}
+
+fn names(lights: &IndexMap<LightId, Light>) -> impl Iterator<Item = &str> {
+    lights.values().map(|light| light.name.as_str()).filter(|name| !name.is_empty())
+}
+
+/// The problem with its place in the scene's document, where that was read from a text.
+pub(super) fn located(setup: &Setup, problem: Diagnostic, json_path: String) -> Diagnostic {
+    let Some(source) = &setup.source else { return problem };
+    let mut problem = problem.json_path(json_path);
+    source.locate(&mut problem);
     problem
 }

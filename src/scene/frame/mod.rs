@@ -17,6 +17,7 @@ mod executor;
 mod handover;
 mod keys;
 mod links;
+mod mix;
 mod nearest;
 mod picture;
 mod place;
@@ -57,6 +58,7 @@ pub use keys::{
     is_direction, light_field, set_light_field, structural_look,
 };
 pub use links::LightReach;
+pub use mix::SOLOED;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
 pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};

@@ -116,7 +116,7 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
 }
 
 /// Fields of a look's lights that are 0 for an object, each with the reason; `lights` replace the
-/// look's, and `unlinked` ones do not reach the object. Of the others those that keys or exposed
+/// look's, and `unlit` ones do not reach the object. Of the others those that keys or exposed
 /// parameters move are never dark.
 pub(super) fn dark_lights(
     setup: &Setup,
@@ -124,13 +124,13 @@ pub(super) fn dark_lights(
     lights: &IndexMap<LightId, Light>,
     placed: &ObjectPlacement,
     view: &View,
-    unlinked: &IndexMap<LightId, Cow<'static, str>>,
+    unlit: &IndexMap<LightId, Cow<'static, str>>,
 ) -> Vec<((LightId, LightField), Cow<'static, str>)> {
     let moved = moved_lights(look);
     let illumination = DQuat::from_array(setup.scene.illumination).normalize();
     let mut dark = Vec::new();
     for (id, own) in &look.lights {
-        if let Some(reason) = unlinked.get(id) {
+        if let Some(reason) = unlit.get(id) {
             dark.push(((id.clone(), LightField::Intensity), reason.clone()));
             continue;
         }

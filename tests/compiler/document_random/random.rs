@@ -2,8 +2,8 @@
 
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
-    ExposedValue, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
-    LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node, Note, Object,
+    ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
+    Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node, Note, Object,
     Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform,
     UnknownFields, Value, Values, Wire,
 };
@@ -463,6 +463,15 @@ impl Random {
         q.map(|x| x / length)
     }
 
+    fn master(&mut self) -> GroupMaster {
+        GroupMaster {
+            name: self.text(),
+            intensity: self.positive(1e3),
+            exposure: self.number(60.0),
+            tint: self.numbers(2.0),
+        }
+    }
+
     fn light_set(&mut self) -> LightSet {
         let texts = ["*", "", " key|rim-2 - group:set", "\"Key \\ light\" & ({source})"];
         LightSet::parse(self.choose(&texts)).expect("a set of lights")
@@ -516,6 +525,9 @@ impl Random {
             about: self.text(),
             objects: (0..self.count()).map(|_| (self.slug().into(), self.object())).collect(),
             lights: (0..self.below(4)).map(|_| (self.slug().into(), self.light())).collect(),
+            light_groups: (0..self.below(3)).map(|_| (self.slug().into(), self.master())).collect(),
+            muted: self.light_set(),
+            soloed: self.light_set(),
             illumination: self.rotation(),
             camera: self.camera(),
             backdrop: self.chance(7).then(|| self.numbers(1.0)),

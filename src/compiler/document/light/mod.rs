@@ -8,6 +8,7 @@
 mod field;
 mod input;
 mod link;
+mod master;
 mod set;
 mod values;
 
@@ -24,6 +25,7 @@ use field::{FieldAccess, LightRow, NumbersOf as _};
 pub use field::LightQuantity;
 pub use input::LightInput;
 pub use link::{LightLink, LinkRule};
+pub use master::{GroupMaster, MAX_EXPOSURE};
 pub use set::{LightSet, LightSetError, SetTerm};
 pub use values::{LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE};
 

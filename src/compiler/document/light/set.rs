@@ -144,6 +144,11 @@ impl LightSet {
         Ok(Self { text: text.to_owned(), steps })
     }
 
+    /// True if the set has no lights, whichever there are: it says nothing.
+    pub fn is_none(&self) -> bool {
+        self.steps.is_empty()
+    }
+
     /// The expression as it was written.
     pub fn text(&self) -> &str {
         &self.text

@@ -90,6 +90,17 @@ impl LightValues {
         self.world.intensity = 0.0;
     }
 
+    /// Multiplies intensity and color, as the master of a group does.
+    pub fn multiply(&mut self, factor: f64, tint: [f64; 3]) {
+        self.world.intensity *= factor;
+        for (channel, tint) in self.world.color.iter_mut().zip(tint) {
+            *channel *= tint;
+        }
+        for field in [LightField::Color, LightField::Intensity] {
+            resolve(field.quantity(), field.numbers_mut(&mut self.world), DMat3::IDENTITY);
+        }
+    }
+
     /// Makes a directional light shine from `direction`; unit, in world space.
     pub fn shine_from(&mut self, direction: DVec3) {
         self.world.direction = direction.into();

@@ -25,6 +25,7 @@ use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
 use crate::frame::keys::{RigInputs, Wires};
 use crate::frame::links::unlinked_lights;
+use crate::frame::mix::LightMix;
 use crate::geometry::MeshPart;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
@@ -38,6 +39,8 @@ struct WornLook<'a> {
     before: BTreeMap<Stage, Arc<CompiledShader>>,
     /// Lights that replace the look's own.
     lights: Cow<'a, IndexMap<LightId, Light>>,
+    /// Mutes, solos and masters of the lights.
+    mix: &'a LightMix,
     images: Vec<Arc<Image>>,
     images_before: BTreeMap<Stage, Vec<Arc<Image>>>,
     /// True if depths are drawn before colors.
@@ -158,6 +161,7 @@ impl<'a> WornLook<'a> {
             shaders,
             before,
             lights: scene.lights(index),
+            mix: &scene.mix,
             images,
             images_before,
             depth_first,
@@ -167,7 +171,7 @@ impl<'a> WornLook<'a> {
     }
 
     /// The values for an object, whose surroundings are `inputs`; lights that are not linked to it
-    /// are dark.
+    /// or out are dark.
     fn values(
         &mut self,
         inputs: &RigInputs<'_>,
@@ -203,6 +207,7 @@ impl<'a> WornLook<'a> {
             let wires = Wires::of(&shaders.draw);
             let mut values = shaders.rig.evaluate(&params, table, wires, &inputs)?;
             made.decided = std::mem::take(&mut values.decided);
+            values.lights.iter_mut().for_each(|(id, light)| self.mix.apply(id, light));
             for id in unlinked {
                 values.lights.get_mut(id).map(LightValues::darken);
             }

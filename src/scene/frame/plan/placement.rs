@@ -16,6 +16,7 @@ use crate::frame::cost::EffectCost;
 use crate::frame::coverage::PixelArea;
 use crate::frame::effects::EffectKind;
 use crate::frame::keys::structural_look;
+use crate::frame::mix::LightMix;
 use crate::frame::nearest::nearest_surface;
 use crate::frame::setup::{Setup, SetupLook, SetupObject};
 use crate::frame::values::live_for_values;
@@ -35,6 +36,8 @@ pub(super) struct PlacedScene<'a> {
     /// Placement of each object.
     pub(super) placed: Vec<ObjectPlacement>,
     pub(super) view: View,
+    /// Mutes, solos and masters of the lights.
+    pub(super) mix: LightMix,
 }
 
 /// An object of which something may be seen, with its number in the scene.
@@ -109,7 +112,8 @@ impl Planner {
         let none = Values::new();
         let now = |look: &'a SetupLook| structural_look(&look.look, options.time, &none);
         let looks = setup.looks.iter().map(now).collect();
-        PlacedScene { setup, library, options, lives: lives(setup, live), looks, placed, view }
+        let (lives, mix) = (lives(setup, live), setup.light_mix());
+        PlacedScene { setup, library, options, lives, looks, placed, view, mix }
     }
 
     /// The objects of which something may be seen; the others are dropped.

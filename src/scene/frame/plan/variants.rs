@@ -18,7 +18,7 @@ use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
 use crate::document::{LightField, Look, Values};
 use crate::frame::keys::{ParamTable, Rig};
-use crate::frame::links::unlinked_lights;
+use crate::frame::links::unlit;
 use crate::frame::setup::{SetupLook, SetupObject};
 use crate::frame::visibility::{CullMode, dark_lights, fields};
 use crate::ids::LightId;
@@ -175,8 +175,8 @@ impl Planner {
                 let look = scene.worn(index, &object.values);
                 let (setup, lights) = (scene.setup, scene.lights(index));
                 let placed = &scene.placed[number];
-                let unlinked = unlinked_lights(setup, object);
-                let found = dark_lights(setup, &look, &lights, placed, &scene.view, &unlinked);
+                let unlit = unlit(setup, &scene.mix, object);
+                let found = dark_lights(setup, &look, &lights, placed, &scene.view, &unlit);
                 let found = slot.insert(found);
                 sets.entry(index).or_default().insert(fields(found));
             }

@@ -31,6 +31,7 @@ impl Planner {
             found.extend(shaders.flat_map(|shaders| shaders.warnings.iter().cloned()));
         }
         found.extend(self.lacking_uvs(scene, visible, variants));
+        found.extend(scene.setup.mix_warnings());
         let ids = LazyCell::new(|| ids_of(scene.setup));
         for VisibleObject { object, .. } in visible {
             found.extend(idle_links(scene.setup, object));

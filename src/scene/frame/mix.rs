@@ -1,0 +1,138 @@
+//! Mix of a scene's lights: which are out by mutes and solos, and what the masters of their groups
+//! leave of the others.
+
+use std::borrow::Cow;
+use std::collections::{BTreeSet, HashMap};
+
+use indexmap::IndexMap;
+
+use super::links::{idle_terms, located};
+use super::setup::Setup;
+use crate::diag::Diagnostic;
+use crate::document::{Light, LightSet, LightValues, MAX_INTENSITY};
+use crate::ids::{LightGroup, LightId};
+
+/// Code of the warning that lights shine alone.
+pub const SOLOED: &str = "soloed-lights";
+
+/// Mix of all lights that a setup is about, whatever objects they shine on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LightMix {
+    /// Lights that are out, each with the reason.
+    out: IndexMap<LightId, Cow<'static, str>>,
+    /// Factors on intensity and color of lights whose groups have masters.
+    factors: HashMap<LightId, (f64, [f64; 3])>,
+}
+
+impl LightMix {
+    /// The reason why a light is out.
+    pub(super) fn why_out(&self, id: &LightId) -> Option<&Cow<'static, str>> {
+        self.out.get(id)
+    }
+
+    /// Lights that are out, each with the reason.
+    pub(super) fn out(&self) -> &IndexMap<LightId, Cow<'static, str>> {
+        &self.out
+    }
+
+    /// Leaves of a light what the mix does.
+    pub(super) fn apply(&self, id: &LightId, light: &mut LightValues) {
+        if self.out.contains_key(id) {
+            light.darken();
+        } else if let Some(&(factor, tint)) = self.factors.get(id) {
+            light.multiply(factor, tint);
+        }
+    }
+}
+
+impl Setup {
+    /// All lights: the scene's, then those that its looks have besides.
+    pub fn all_lights(&self) -> IndexMap<LightId, Light> {
+        let mut lights = self.scene.lights.clone();
+        for (id, light) in self.looks.iter().flat_map(|look| &look.look.lights) {
+            lights.entry(id.clone()).or_insert_with(|| light.clone());
+        }
+        lights
+    }
+
+    /// Lights that shine alone; empty where all do that are not muted.
+    pub fn soloed_lights(&self) -> BTreeSet<LightId> {
+        if self.scene.soloed.is_none() {
+            return BTreeSet::new();
+        }
+        self.scene.soloed.of(&self.all_lights(), &BTreeSet::new())
+    }
+
+    /// Mix of the lights by mutes, solos and masters.
+    pub(super) fn light_mix(&self) -> LightMix {
+        let scene = &self.scene;
+        let mut mix = LightMix::default();
+        let (muted, soloed) = (&scene.muted, &scene.soloed);
+        if muted.is_none() && soloed.is_none() && scene.light_groups.is_empty() {
+            return mix;
+        }
+        let lights = self.all_lights();
+        let of = |set: &LightSet| set.of(&lights, &BTreeSet::new());
+        let (out, alone) = (of(muted), of(soloed));
+        for (id, light) in &lights {
+            let why = match (alone.contains(id), alone.is_empty()) {
+                (true, _) => None,
+                (false, false) => Some(format!("`soloed` (`{}`) has it not", soloed.text())),
+                (false, true) => {
+                    out.contains(id).then(|| format!("`muted` (`{}`) has it", muted.text()))
+                }
+            };
+            let masters = || light.groups.iter().filter_map(|id| Some((id, master(self, id)?)));
+            let zero = || masters().find(|(_, (factor, _))| *factor == 0.0);
+            let why = why.or_else(|| Some(format!("the master of its group `{}` is 0", zero()?.0)));
+            if let Some(why) = why {
+                mix.out.insert(id.clone(), why.into());
+            } else if masters().next().is_some() {
+                let product = masters().fold((1.0, [1.0; 3]), |(factor, tint), (_, master)| {
+                    let tint = std::array::from_fn(|channel| tint[channel] * master.1[channel]);
+                    ((factor * master.0).min(MAX_INTENSITY), tint)
+                });
+                mix.factors.insert(id.clone(), product);
+            }
+        }
+        mix
+    }
+
+    /// Warnings of the mix: names that there are not, and lights that shine alone.
+    pub(super) fn mix_warnings(&self) -> Vec<Diagnostic> {
+        let scene = &self.scene;
+        let lights = self.all_lights();
+        let fields = [("muted", &scene.muted), ("soloed", &scene.soloed)];
+        let mut warnings: Vec<Diagnostic> = fields
+            .into_iter()
+            .flat_map(|(field, set)| {
+                let place = (format!("`{field}` of the scene"), field.to_owned());
+                idle_terms(self, &place, set, &lights)
+            })
+            .collect();
+        let groups = || lights.values().flat_map(|light| &light.groups);
+        for group in scene.light_groups.keys().filter(|id| !groups().any(|own| own == *id)) {
+            let message =
+                format!("the scene has a master of the group `{group}`, of which no light is");
+            let problem = Diagnostic::warning("unknown-light", message)
+                .suggest(group.as_str(), groups().map(AsRef::as_ref));
+            warnings.push(located(self, problem, format!("light_groups.{group}")));
+        }
+        let soloed = self.soloed_lights();
+        if !soloed.is_empty() {
+            let names: Vec<String> = soloed.iter().map(|id| format!("`{id}`")).collect();
+            let are = if names.len() == 1 { "is" } else { "are" };
+            let message =
+                format!("{} {are} soloed, so that no other light shines", names.join(", "));
+            let problem = Diagnostic::warning(SOLOED, message)
+                .hint("take it out of `soloed` when the picture is to have all its lights");
+            warnings.push(located(self, problem, "soloed".to_owned()));
+        }
+        warnings
+    }
+}
+
+/// Factors of a group's master, if the scene has one.
+fn master(setup: &Setup, group: &LightGroup) -> Option<(f64, [f64; 3])> {
+    setup.scene.light_groups.get(group).map(|master| master.factors())
+}
