@@ -478,7 +478,7 @@ impl Builder<'_> {
     fn roots(&mut self) -> Vec<Root> {
         match self.def.special {
             Treatment::Output => return vec![Root { output: None }],
-            Treatment::Light => {
+            Treatment::Light if self.def.outputs[0].ty == Type::Light => {
                 self.nodes.push(json!({"id": "parts", "kind": "light_parts"}));
                 self.wires.push(json!({"from": "node", "to": "parts.light"}));
                 let root =

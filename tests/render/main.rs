@@ -15,5 +15,6 @@ mod node_code;
 mod probe;
 mod property_looks;
 mod prune;
+mod regions;
 mod shared_store;
 mod surfaces;

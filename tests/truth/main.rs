@@ -8,6 +8,7 @@ mod contexts;
 mod family;
 mod handwritten;
 mod hard_cases;
+mod joined_lights;
 mod keys;
 mod marks;
 mod nodes;

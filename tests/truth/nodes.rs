@@ -184,6 +184,19 @@ fn truth(kind: &str, word: &str) -> Option<NodeFormula> {
                 each(i, clamp)
             }
         },
+        ("limit_color", _) => |i| {
+            let (limit, soft) = (i[1][0].max(0.0), i[2][0].clamp(0.0, 1.0));
+            let most = i[0][0].max(i[0][1]).max(i[0][2]);
+            let knee = limit * (1.0 - soft);
+            let pressed = match (most > knee, limit > knee) {
+                (false, _) => most,
+                (true, false) => limit,
+                // The inverse of 1 / x + 1 / room, from the knee.
+                (true, true) => knee + 1.0 / (1.0 / (most - knee) + 1.0 / (limit - knee)),
+            };
+            let factor = if most > knee { pressed / most } else { 1.0 };
+            vec![i[0][0] * factor, i[0][1] * factor, i[0][2] * factor, i[0][3]]
+        },
         ("mix_values", _) => |i| {
             let t = if i[3][0] > 0.5 { i[2][0].clamp(0.0, 1.0) } else { i[2][0] };
             (0..i[0].len()).map(|k| (1.0 - t) * i[0][k] + t * i[1][k]).collect()
@@ -1224,6 +1237,16 @@ const ELSEWHERE: &[&str] = &[
     "profile",
     "transition",
     "warp",
+    // joined_lights.rs
+    "first_of_lights",
+    "greatest_of_lights",
+    "layers_of_lights",
+    "light_details",
+    "light_from_parts",
+    "merged_direction",
+    "mix_of_lights",
+    "strongest_of_lights",
+    "sum_of_lights",
     // tests/sweeps/hcbtf_lookup.rs
     "constant_size",
     "dominant_light",

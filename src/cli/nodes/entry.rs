@@ -116,6 +116,7 @@ fn custom() -> NodeEntry {
         widget: String::new(),
         options: Vec::new(),
         hidden: false,
+        light_feed: None,
     };
     let help = "A node of your own, written in the look itself. Its first function is the node: \
                 parameters are inputs, \

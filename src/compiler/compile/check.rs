@@ -104,6 +104,8 @@ pub enum TypedSource {
     Param(ParamId, Value),
     /// The surroundings.
     Context(Context),
+    /// A value that nobody sets.
+    Fixed(Value),
 }
 
 impl TypedNode {
@@ -574,6 +576,8 @@ impl<'a> Typer<'a> {
         }
         let light = if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) {
             self.light(flat)
+        } else if flat.def.joins_lights() {
+            flat.each_light().cloned()
         } else {
             None
         };
@@ -614,6 +618,8 @@ impl<'a> Typer<'a> {
         };
         match &flat.inputs[index] {
             FlatInput::Broken => None,
+            FlatInput::Fixed(Value::Text(text)) => Some(text.clone()),
+            FlatInput::Fixed(_) => Some(fallback),
             FlatInput::Wire { .. } | FlatInput::Context(_) => {
                 let problem = Diagnostic::error(
                     "not-wirable",
@@ -663,7 +669,7 @@ impl<'a> Typer<'a> {
         let input = &flat.def.inputs[index];
         let id = self.value_text(flat, index, input)?;
         let found = if id.is_empty() {
-            self.look.lights.keys().next()
+            flat.each_light().or_else(|| self.look.lights.keys().next())
         } else {
             self.look.lights.get_key_value(id.as_str()).map(|l| l.0)
         };
@@ -736,6 +742,7 @@ impl<'a> Typer<'a> {
                 .map(|variant| output_type(&self.flat.nodes[*node].def, variant, *output)),
             FlatInput::Param(param) => vector_type(self.flat.params[*param].value.as_ref()?),
             FlatInput::Context(context) => Some(Type::from_wgsl(context.wgsl_type())),
+            FlatInput::Fixed(value) => vector_type(value),
             FlatInput::Broken => None,
         }
     }
@@ -756,6 +763,7 @@ impl<'a> Typer<'a> {
                 );
                 return None;
             }
+            FlatInput::Fixed(value) => (TypedSource::Fixed(value.clone()), ty.clone()),
             FlatInput::Context(context) => {
                 let context = context.at_tier(flat.tier, false);
                 (TypedSource::Context(context), Type::from_wgsl(context.wgsl_type()))

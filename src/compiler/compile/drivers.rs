@@ -114,6 +114,7 @@ fn rate(node: &TypedNode, known: &[Rate]) -> Rate {
     let of_input = |input: &TypedInput| match &input.source {
         _ if input.ty.is_texture() => Rate::Fragment,
         TypedSource::Wire { node, .. } => known[*node],
+        TypedSource::Fixed(_) => Rate::Constant,
         TypedSource::Param(..) => Rate::Object,
         TypedSource::Context(context) => context.rate(),
     };
@@ -177,7 +178,7 @@ impl TypedGraph {
             let node = &self.nodes[index];
             let changes = |input: &TypedInput| match &input.source {
                 TypedSource::Wire { node, .. } => found[*node],
-                TypedSource::Param(..) => false,
+                TypedSource::Param(..) | TypedSource::Fixed(_) => false,
                 TypedSource::Context(context) => context.rate() > Rate::Constant,
             };
             let changes = node.light.is_some() || node.inputs.iter().flatten().any(changes);
@@ -205,7 +206,7 @@ impl TypedGraph {
             let reads = |input: &TypedInput| match &input.source {
                 TypedSource::Wire { node, .. } => found[*node],
                 TypedSource::Param(id, _) => !moved.is_empty() && param(*id),
-                TypedSource::Context(_) => false,
+                TypedSource::Context(_) | TypedSource::Fixed(_) => false,
             };
             let is_lit = node.light.as_ref().is_some_and(|light| lights.contains(light));
             found[index] = is_lit || node.inputs.iter().flatten().any(reads);
@@ -234,7 +235,7 @@ fn reads(graph: &TypedGraph, root: usize) -> DriverInputs {
             match &input.source {
                 TypedSource::Wire { node, .. } => open.push(*node),
                 TypedSource::Param(id, _) => drop(reads.params.insert(*id)),
-                TypedSource::Context(_) => {}
+                TypedSource::Context(_) | TypedSource::Fixed(_) => {}
             }
         }
     }

@@ -6,6 +6,7 @@
 //! over each of them once: what lies behind an input on the way is remembered.
 
 mod groups;
+mod regions;
 #[cfg(test)]
 mod tests;
 
@@ -15,10 +16,11 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use self::groups::{GroupIndex, UsedGroups};
+use self::regions::{Region, RegionCopy, RegionPlace, without_lights};
 
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
-use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
+use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath, PortName};
 use crate::library::{
     CUSTOM_CODE, CUSTOM_KIND, Context, Fallback, GroupPorts, Input, Library, NodeDef, Output,
     Treatment, Type, load_node,
@@ -67,6 +69,8 @@ pub(super) enum FlatInput {
     Param(ParamId),
     /// The context that a muted node lets through, since its own input reads it.
     Context(Context),
+    /// A value that nobody sets.
+    Fixed(Value),
     /// Value that was reported already.
     Broken,
 }
@@ -105,6 +109,15 @@ pub(super) struct FlatNode {
     pub inputs: Vec<FlatInput>,
     /// The region around the node: the outermost group, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
+    /// The place in the innermost region that runs for each light.
+    place: Option<RegionPlace>,
+}
+
+impl FlatNode {
+    /// The light that the copy of the region is for; `None` outside of regions.
+    pub(super) fn each_light(&self) -> Option<&LightId> {
+        self.place.as_ref()?.light.as_ref()
+    }
 }
 
 /// A look without groups.
@@ -177,8 +190,31 @@ struct Scope<'a> {
     /// within the look's bound.
     tier: Option<Tier>,
     parent: Option<(usize, &'a NodeId)>,
+    /// The copy of the innermost region that runs for each light.
+    copy: Option<RegionCopy>,
+    /// The scope whose values are those of this one, where it is a later copy.
+    values: Option<usize>,
     slots: HashMap<&'a str, FlatSlot>,
     wires: HashMap<(&'a str, &'a str), &'a Wire>,
+}
+
+impl<'a> Scope<'a> {
+    /// A scope of a graph that lies in no group.
+    fn of(graph: &'a Graph, name: String, tier: Option<Tier>) -> Self {
+        Self {
+            graph,
+            group: None,
+            path: None,
+            name,
+            region: None,
+            tier,
+            parent: None,
+            copy: None,
+            values: None,
+            slots: HashMap::new(),
+            wires: HashMap::new(),
+        }
+    }
 }
 
 struct Flattener<'a> {
@@ -192,6 +228,7 @@ struct Flattener<'a> {
     flat: FlatGraph,
     param_ids: HashMap<(usize, &'a str, PortName), ParamId>,
     groups: UsedGroups<'a>,
+    regions: Vec<Region>,
     /// The ports of muted groups, which let their inputs through.
     group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
     /// The ends behind inputs that lead on to others: those of reroutes and groups, and whatever
@@ -280,6 +317,7 @@ impl<'a> Flattener<'a> {
             flat: FlatGraph::default(),
             param_ids: HashMap::new(),
             groups,
+            regions: Vec::new(),
             group_ports: RefCell::default(),
             ends: HashMap::new(),
             broken_kinds: broken_kinds(library),
@@ -295,10 +333,12 @@ impl<'a> Flattener<'a> {
         self.check_wires();
         self.bind_inputs();
         self.bind_group_outputs();
+        self.check_regions();
     }
 
     fn open_scopes(&mut self) {
-        self.push_scope(&self.look.graph, None, None, None, String::new(), None, self.look.tier);
+        let look = Scope::of(&self.look.graph, String::new(), self.look.tier);
+        self.push_scope(look);
         let mut next = 0;
         while next < self.scopes.len() {
             self.fill_scope(next);
@@ -312,26 +352,21 @@ impl<'a> Flattener<'a> {
         self.suggestions.get() <= MAX_SUGGESTIONS
     }
 
-    #[expect(clippy::too_many_arguments, reason = "a scope is all of these")]
-    fn push_scope(
-        &mut self,
-        graph: &'a Graph,
-        group: Option<GroupIndex>,
-        path: Option<NodePath>,
-        parent: Option<(usize, &'a NodeId)>,
-        name: String,
-        region: Option<Arc<str>>,
-        tier: Option<Tier>,
-    ) -> usize {
-        let mut wires = HashMap::with_capacity(graph.wires.len());
-        for wire in &graph.wires {
+    /// Adds a scope, and returns its index.
+    fn push_scope(&mut self, mut scope: Scope<'a>) -> usize {
+        scope.wires.reserve(scope.graph.wires.len());
+        for wire in &scope.graph.wires {
             // Two wires into one input were reported when the document was read; the first one
             // holds.
-            wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
+            scope.wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
         }
-        let slots = HashMap::with_capacity(graph.nodes.len());
-        self.scopes.push(Scope { graph, group, path, name, region, tier, parent, slots, wires });
-        self.scopes.len() - 1
+        scope.slots.reserve(scope.graph.nodes.len());
+        let index = self.scopes.len();
+        if let (Some(copy), Some(path)) = (scope.copy, &scope.path) {
+            scope.values = self.note_copy(index, path, copy);
+        }
+        self.scopes.push(scope);
+        index
     }
 
     fn fill_scope(&mut self, scope: usize) {
@@ -398,15 +433,28 @@ impl<'a> Flattener<'a> {
         let is_known = |port: &str| inputs.contains_key(port);
         let unknown = self.unknown_values(node, &path, is_known, || port_names(&definition.inputs));
         self.problems.extend(unknown);
-        FlatSlot::Group(self.push_scope(
-            &definition.graph,
-            Some(group),
-            Some(path),
-            Some((scope, id)),
-            name,
-            Some(region),
-            tier,
-        ))
+        let of_group = |name: String, copy: Option<RegionCopy>, path: &NodePath| Scope {
+            group: Some(group),
+            path: Some(path.clone()),
+            region: Some(region.clone()),
+            parent: Some((scope, id)),
+            copy,
+            ..Scope::of(&definition.graph, name, tier)
+        };
+        let around = self.scopes[scope].copy;
+        let Some(set) = &node.for_each else {
+            return FlatSlot::Group(self.push_scope(of_group(name, around, &path)));
+        };
+        let lights = self.lights_of(set, &path);
+        let region = self.push_region(around.map(|copy| copy.region), lights);
+        let first = self.scopes.len();
+        for copy in 0..self.copies(region) {
+            let copy = RegionCopy { region, copy };
+            let light = self.light_of(copy).map(|(id, light)| light.display_name(id));
+            let name = light.map_or_else(|| name.clone(), |light| join_names(&name, light));
+            self.push_scope(of_group(name, Some(copy), &path));
+        }
+        FlatSlot::Group(first)
     }
 
     fn node_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
@@ -481,7 +529,8 @@ impl<'a> Flattener<'a> {
             if is_custom { note.node(path.clone()).port(CUSTOM_CODE.into()) } else { note }
         }));
         let index = self.flat.nodes.len();
-        self.flat.by_path.insert(path.clone(), index);
+        // Of the copies for many lights the first is what the path names.
+        self.flat.by_path.entry(path.clone()).or_insert(index);
         let asked = node.tier.or(self.scopes[scope].tier);
         let (tier, reason) = match asked {
             Some(tier) => (tier, TierReason::Named),
@@ -493,7 +542,8 @@ impl<'a> Flattener<'a> {
         };
         let inputs = Vec::new();
         let is_named = !node.name.is_empty();
-        let flat = FlatNode { path, name, is_named, def, tier, reason, inputs, region };
+        let place = self.place_of(scope);
+        let flat = FlatNode { path, name, is_named, def, tier, reason, inputs, region, place };
         self.flat.nodes.push(flat);
         self.origins.push((scope, id, node));
         index
@@ -622,12 +672,14 @@ impl<'a> Flattener<'a> {
     }
 
     fn bind_inputs(&mut self) {
-        for index in 0..self.flat.nodes.len() {
+        for index in 0..self.origins.len() {
             let (scope, id, _) = self.origins[index];
             let def = self.flat.nodes[index].def.clone();
-            let inputs =
-                def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
-            self.flat.nodes[index].inputs = inputs;
+            let bound = def.inputs.iter().map(|input| match self.fed(index, input) {
+                Some(fed) => fed,
+                None => self.resolve(scope, id, &input.name),
+            });
+            self.flat.nodes[index].inputs = bound.collect();
         }
     }
 
@@ -761,6 +813,19 @@ impl<'a> Flattener<'a> {
                     {
                         return Some(source);
                     }
+                    if def.joins_lights()
+                        && let Some(joined) = self.joined(scope, id)
+                    {
+                        return match joined {
+                            Some(node) => Some(WireSource::Output { node, output }),
+                            None => Some(WireSource::Nothing {
+                                scope,
+                                id,
+                                port: def.outputs[output].name.clone(),
+                                zero: without_lights(&def.inputs, &def.outputs[output])?,
+                            }),
+                        };
+                    }
                     return Some(WireSource::Output { node: *node, output });
                 }
                 FlatSlot::Group(child) => {
@@ -782,8 +847,9 @@ impl<'a> Flattener<'a> {
                             return Some(source);
                         }
                     }
-                    from = &self.scopes[*child].wires.get(&(GROUP_OUTPUTS, port))?.from;
-                    scope = *child;
+                    let child = self.last_copy(*child);
+                    from = &self.scopes[child].wires.get(&(GROUP_OUTPUTS, port))?.from;
+                    scope = child;
                 }
             }
         }
@@ -880,7 +946,8 @@ impl<'a> Flattener<'a> {
             default: default.cloned(),
         };
         let next = self.flat.params.len();
-        let index = *self.param_ids.entry((scope, id.as_str(), port.clone())).or_insert(next);
+        let whose = self.scopes[scope].values.unwrap_or(scope);
+        let index = *self.param_ids.entry((whose, id.as_str(), port.clone())).or_insert(next);
         if index == next {
             self.flat.params.push(param);
         } else if self.flat.params[index].value.is_none() {

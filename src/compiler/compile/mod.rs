@@ -165,7 +165,9 @@ impl AlphaCutoff {
         match cutoff.map(|input| &input.source) {
             None => Self::None,
             Some(TypedSource::Param(id, _)) => Self::Param(*id),
-            Some(TypedSource::Wire { .. } | TypedSource::Context(_)) => Self::Wired,
+            Some(TypedSource::Wire { .. } | TypedSource::Context(_) | TypedSource::Fixed(_)) => {
+                Self::Wired
+            }
         }
     }
 }

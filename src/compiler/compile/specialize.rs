@@ -27,7 +27,8 @@ use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
 use crate::library::{
-    ArgumentSource, Context, Conversion, NodeModule, Rate, StageValue, Treatment, Type,
+    ArgumentSource, Context, Conversion, LightFeed, NodeModule, Output, Rate, StageValue,
+    Treatment, Type,
 };
 
 /// An index into [`SpecializedGraph::values`].
@@ -254,6 +255,10 @@ impl<'a> Builder<'a> {
             .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
             .collect();
         self.bound_inputs(index, node, &mut inputs);
+        if let Some(outputs) = self.before_dark(node, &inputs) {
+            self.outputs[index] = outputs;
+            return;
+        }
         if let Some((value, reason, proof)) = self.bypass(index, node, &inputs) {
             self.outputs[index] = vec![value];
             self.remove(node, reason, proof);
@@ -318,6 +323,9 @@ impl<'a> Builder<'a> {
                 self.context(index, *context, light)
             }
             TypedSource::Param(_, _) if input.ty.is_texture() => return None,
+            TypedSource::Fixed(value) => {
+                self.constant(index, input.ty.clone(), typed_value(value, &input.ty).ok()?)
+            }
             TypedSource::Param(id, value) => self.param(index, *id, value, &input.ty),
         };
         Some(match input.conversion {
@@ -365,6 +373,7 @@ impl<'a> Builder<'a> {
     /// A light that reaches nothing arrives with no intensity, wherever its surface is.
     fn mark_dark(&mut self, node: &TypedNode, result: ValueId) {
         let (Treatment::Light, Some(light)) = (node.def.special, &node.light) else { return };
+        // The last number of whatever tells of a light is what arrives of its intensity.
         if self.options.dark.contains(&(light.clone(), LightField::Intensity))
             && let Some(ranges) = &self.values[result].ranges
         {
@@ -374,6 +383,20 @@ impl<'a> Builder<'a> {
             }
             self.values[result].ranges = Some(ranges.into());
         }
+    }
+
+    /// The outputs of a node that joins lights as the lights before have left them, where its own
+    /// light reaches nothing.
+    fn before_dark(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<Vec<ValueId>> {
+        let light = node.light.as_ref().filter(|_| node.def.joins_lights())?;
+        if !self.options.dark.contains(&(light.clone(), LightField::Intensity)) {
+            return None;
+        }
+        let before = |output: &Output| {
+            let feed = Some(LightFeed::Before(output.name.clone()));
+            inputs[node.def.inputs.iter().position(|input| input.light_feed == feed)?]
+        };
+        node.def.outputs.iter().map(before).collect()
     }
 
     /// The only value, to the bit, that ranges leave to a value of this type.

@@ -231,11 +231,16 @@ impl Steps {
     }
 }
 
+/// Rows of a value of the document.
+fn rows_of_value(value: &Value, ty: &Type) -> Rows {
+    rows_of(&typed_value(value, ty).unwrap_or(interp::Value::Float(0.0)))
+}
+
 fn source_type(graph: &TypedGraph, source: &TypedSource) -> Option<Type> {
     match source {
         TypedSource::Wire { node, output } => Some(graph.nodes[*node].output_type(*output)),
         TypedSource::Context(context) => Some(Type::from_wgsl(context.wgsl_type())),
-        TypedSource::Param(..) => None,
+        TypedSource::Param(..) | TypedSource::Fixed(_) => None,
     }
 }
 
@@ -428,11 +433,9 @@ impl<'g> ErrorTrial<'g> {
         let rows = match &input.source {
             TypedSource::Wire { node, output } => output_rows(self.graph, results, *node, *output),
             TypedSource::Param(..) if input.ty.is_texture() => return Rows::new(),
+            TypedSource::Fixed(value) => return rows_of_value(value, &input.ty),
             TypedSource::Param(id, value) => {
-                let rows = |value: &Value| {
-                    let value = typed_value(value, &input.ty);
-                    rows_of(&value.unwrap_or(interp::Value::Float(0.0)))
-                };
+                let rows = |value: &Value| rows_of_value(value, &input.ty);
                 return match self.spread.get(id) {
                     None => rows(value),
                     Some(values) => {

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::{AUTOMATIC_OR_TIER, described};
-use super::light::{Light, LightField};
+use super::light::{Light, LightField, LightSet};
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};
 use super::word::WordChoice as _;
@@ -92,6 +92,15 @@ pub enum ColorSpace {
     Linear,
 }
 
+impl Look {
+    /// True if a group of the look runs once for each light of a set.
+    pub fn runs_for_lights(&self) -> bool {
+        let inner = self.definitions.values().map(|definition| &definition.graph);
+        let mut graphs = std::iter::once(&self.graph).chain(inner);
+        graphs.any(|graph| graph.nodes.values().any(|node| node.for_each.is_some()))
+    }
+}
+
 described! {
     /// Nodes and the wires between them.
     #[serde(default)]
@@ -137,6 +146,9 @@ described! {
         /// Implementation; of a group's node, that of every node in the group.
         tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
             words "that of the group's node it lies in, or else the look's";
+        /// Lights that a group runs for, once for each: a light that no node in it names is that
+        /// one.
+        for_each: Option<LightSet> = None, FieldKind::LightSet, words "once, for no light";
         /// True if the node is left out: inputs go out as they are.
         muted: bool = false, FieldKind::Bool;
         /// True if the canvas shows no more than the node's title.

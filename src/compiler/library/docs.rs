@@ -9,6 +9,8 @@
 //! /// @param normal "Normal" from=normal : The normal to use.
 //! /// @param concave "Concave" same=convex : Like another input, while unset.
 //! /// @param angle "Angle" wire : Must be wired.
+//! /// @param before_sum default=0 before=sum : The output as the lights before have left it.
+//! /// @param reach default=1 reach : How bright the light arrives, where the node runs for each.
 //! /// @choice mode "Mode" default=add add="Add" alpha="Alpha" : How it is laid over what is below.
 //! /// @return tone "Tone" : From 0 to 1.
 //! /// @preset "Lambert" offset=0 falloff=pi/2

@@ -58,8 +58,8 @@ pub use load::node_files;
 pub use load::{GroupDef, Library};
 pub use module::{ModuleDeclaration, NodeModule};
 pub use node::{
-    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
-    Output, PrepareFunction, Preset, Test, TierError, Treatment,
+    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, LightFeed, Limit, NodeDef,
+    NodeFunction, Output, PrepareFunction, Preset, Test, TierError, Treatment,
 };
 pub use passes::{
     PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,

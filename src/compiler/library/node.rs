@@ -95,6 +95,22 @@ pub struct Input {
     pub options: Vec<(String, String)>,
     /// True for an input from the surroundings that is never shown as a port.
     pub hidden: bool,
+    /// Feed of the input where its node runs for each of many lights.
+    pub light_feed: Option<LightFeed>,
+}
+
+/// Feed of an input whose node runs for each of many lights, one after the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LightFeed {
+    /// An output of the node as the lights before have left it; the input's own value before the
+    /// first light. A node with such an input joins lights.
+    Before(PortName),
+    /// Intensity of the light where it arrives; 0 where it does not.
+    Reach,
+    /// Number of the light among all of them, from 0.
+    Index,
+    /// Number of all of them.
+    Count,
 }
 
 /// Value of an input that is unwired and has no value of its own.
@@ -258,6 +274,11 @@ pub struct Preset {
 }
 
 impl NodeDef {
+    /// True if the node joins what comes of many lights: it is fed with its own outputs.
+    pub fn joins_lights(&self) -> bool {
+        self.inputs.iter().any(|input| matches!(input.light_feed, Some(LightFeed::Before(_))))
+    }
+
     /// Tiers of the node, the exact one first: the tiers of its functions, and those of the
     /// contexts that its inputs read.
     pub fn tiers(&self) -> Vec<Tier> {

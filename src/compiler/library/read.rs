@@ -8,8 +8,8 @@ use super::Context;
 use super::docs::{self, Docs, Tag, TagPiece};
 use super::module::{NodeModule, refused};
 use super::node::{
-    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
-    Output, PrepareFunction, Preset, ShareBound, Test, TierError, Treatment,
+    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, LightFeed, Limit, NodeDef,
+    NodeFunction, Output, PrepareFunction, Preset, ShareBound, Test, TierError, Treatment,
 };
 use super::rules::with_forms;
 use super::types::Type;
@@ -204,7 +204,7 @@ impl Reader<'_> {
             notes: Vec::new(),
             special: match (custom, stem) {
                 (None, "output") => Treatment::Output,
-                (None, "light") => Treatment::Light,
+                (None, "light" | "light_details") => Treatment::Light,
                 (None, "reroute") => Treatment::Reroute,
                 _ => Treatment::None,
             },
@@ -215,6 +215,7 @@ impl Reader<'_> {
         self.prepare(&mut node, &own, stem);
         self.variants(&mut node, &own, stem);
         self.outputs(&mut node, &docs, head);
+        self.feeds(&node, head);
         self.rules(&mut node, &docs, head);
         Some(node)
     }
@@ -337,6 +338,15 @@ impl Reader<'_> {
                     }
                     "hidden" => {
                         input.hidden = true;
+                        true
+                    }
+                    "reach" | "index" | "count" => {
+                        input.hidden = true;
+                        input.light_feed = Some(match word.as_str() {
+                            "reach" => LightFeed::Reach,
+                            "index" => LightFeed::Index,
+                            _ => LightFeed::Count,
+                        });
                         true
                     }
                     "light_name" | "text" => true,
@@ -548,6 +558,27 @@ impl Reader<'_> {
         }
     }
 
+    /// A node that joins lights takes every output of its own again, so that a light that does not
+    /// arrive leaves all of them as they are.
+    fn feeds(&mut self, node: &NodeDef, head: &Declaration) {
+        if !node.joins_lights() {
+            return;
+        }
+        let is_fed = |output: &Output| {
+            node.inputs.iter().any(|input| {
+                let feed = LightFeed::Before(output.name.clone());
+                input.light_feed == Some(feed) && input.ty == output.ty
+            })
+        };
+        for output in node.outputs.iter().filter(|output| !is_fed(output)) {
+            let message = format!(
+                "the node joins lights, and no input of the type {} is `before={}`",
+                output.ty, output.name
+            );
+            self.problem(head, message);
+        }
+    }
+
     fn rules(&mut self, node: &mut NodeDef, docs: &Docs, head: &Declaration) {
         for tag in &docs.tags {
             match tag.word.as_str() {
@@ -678,6 +709,7 @@ pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
         widget: String::new(),
         options: Vec::new(),
         hidden: false,
+        light_feed: None,
     }
 }
 
@@ -716,6 +748,10 @@ fn set_attribute(input: &mut Input, key: &str, value: &str) -> bool {
             Some(context) => input.fallback = Fallback::Context(context),
             None => return false,
         },
+        "before" => {
+            input.hidden = true;
+            input.light_feed = Some(LightFeed::Before(value.into()));
+        }
         "same" => input.fallback = Fallback::Same(value.into()),
         "min" | "max" => {
             let Some(number) = docs::number(value) else { return false };

@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use super::mix::LightMix;
 use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightSet, LinkRule, SetTerm};
+use crate::document::{Light, LightSet, LinkRule};
 use crate::ids::{LightId, ObjectId};
 
 /// A light and an object, and whether the one reaches the other.
@@ -113,26 +113,8 @@ pub(super) fn idle_terms(
     set: &LightSet,
     lights: &IndexMap<LightId, Light>,
 ) -> Vec<Diagnostic> {
-    let idle = |term: &SetTerm| {
-        let (what, known): (&str, Vec<&str>) = match term {
-            SetTerm::Group(_) => ("group of lights", groups(lights).collect()),
-            SetTerm::Name(_) => ("light of the name", names(lights).collect()),
-            _ => ("light", lights.keys().map(AsRef::as_ref).collect()),
-        };
-        let word = term.word();
-        let message = format!("{whose} names the {what} `{word}`, which there is not");
-        let problem = Diagnostic::warning("unknown-light", message).suggest(word, known);
-        located(setup, problem, json_path.clone())
-    };
-    set.idle_terms(lights).map(idle).collect()
-}
-
-fn groups(lights: &IndexMap<LightId, Light>) -> impl Iterator<Item = &str> {
-    lights.values().flat_map(|light| &light.groups).map(AsRef::as_ref)
-}
-
-fn names(lights: &IndexMap<LightId, Light>) -> impl Iterator<Item = &str> {
-    lights.values().map(|light| light.name.as_str()).filter(|name| !name.is_empty())
+    let idle = set.idle_warnings(whose, lights).into_iter();
+    idle.map(|problem| located(setup, problem, json_path.clone())).collect()
 }
 
 /// The problem with its place in the scene's document, where that was read from a text.

@@ -43,6 +43,10 @@ impl Random {
                 id,
                 kind: self.pick(&kinds).cloned().unwrap_or("base".to_owned()),
             },
+            29 if self.chance(2) => {
+                let for_each = self.chance(2).then(|| self.light_set());
+                Edit::SetForEach { graph, id, for_each }
+            }
             29 => Edit::SetMuted { graph, id, muted: self.chance(2) },
             30 => Edit::SetCollapsed { graph, id, collapsed: self.chance(2) },
             31 => Edit::AddNote {

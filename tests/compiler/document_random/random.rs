@@ -228,6 +228,7 @@ impl Random {
             position: self.numbers(1e6),
             values: self.values(),
             tier: self.choose(&[None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)]),
+            for_each: self.chance(5).then(|| self.light_set()),
             muted: self.chance(5),
             collapsed: self.chance(5),
             unknown: self.unknown(),
@@ -472,7 +473,7 @@ impl Random {
         }
     }
 
-    fn light_set(&mut self) -> LightSet {
+    pub(crate) fn light_set(&mut self) -> LightSet {
         let texts = ["*", "", " key|rim-2 - group:set", "\"Key \\ light\" & ({source})"];
         LightSet::parse(self.choose(&texts)).expect("a set of lights")
     }

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Bookmark, ColorSpace, Definition, DirectionKeys, ExposedValue, Frame, GraphId, InterfacePort,
-    Light, Look, Node, Note, Tier, TimeKeys, Value, Wire,
+    Light, LightSet, Look, Node, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -70,6 +70,8 @@ pub enum Edit {
     SetKind { graph: GraphId, id: NodeId, kind: String },
     /// Sets a node's tier; `None` for the tier of the group or look around it.
     SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
+    /// Lets a group run once for each light of a set; `None` for once, for no light.
+    SetForEach { graph: GraphId, id: NodeId, for_each: Option<LightSet> },
     /// Mutes a node, or takes it in again.
     SetMuted { graph: GraphId, id: NodeId, muted: bool },
     /// Collapses a node to its title, or expands it.
@@ -162,6 +164,7 @@ impl Edit {
             Self::SetName { id, .. } => format!("rename {id}"),
             Self::SetKind { id, .. } => format!("change the kind of {id}"),
             Self::SetTier { id, .. } => format!("change the tier of {id}"),
+            Self::SetForEach { id, .. } => format!("change the lights of {id}"),
             Self::SetMuted { id, muted: true, .. } => format!("mute {id}"),
             Self::SetMuted { id, .. } => format!("unmute {id}"),
             Self::SetCollapsed { id, collapsed: true, .. } => format!("collapse {id}"),
@@ -293,6 +296,10 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
         Edit::SetTier { graph, id, tier } => {
             let tier = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.tier, tier);
             Ok(Edit::SetTier { graph, id, tier })
+        }
+        Edit::SetForEach { graph, id, for_each } => {
+            let slot = &mut graph::node_mut(look, &graph, &id)?.for_each;
+            Ok(Edit::SetForEach { graph, id, for_each: std::mem::replace(slot, for_each) })
         }
         Edit::SetMuted { graph, id, muted } => {
             let muted = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.muted, muted);

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use super::described::described;
 use super::shape::{FAR, FieldKind, LINE, NumberBounds, POSITIVE};
 use super::word::WordChoice as _;
-use crate::ids::LightGroup;
+use crate::ids::{LightGroup, LightId};
 use LightKind::{Directional, Point, Spot};
 use LightQuantity::{Angle, Color, Direction, Distance, Factor, Position};
 use field::{FieldAccess, LightRow, NumbersOf as _};
@@ -184,6 +184,13 @@ light_fields! {
         hint: "How far from the light nothing is left, in scene units; 0 for no end",
         quantity: Distance,
         kinds: PLACED,
+    }
+}
+
+impl Light {
+    /// Name that people read: the artist's, or the id.
+    pub fn display_name<'l>(&'l self, id: &'l LightId) -> &'l str {
+        if self.name.is_empty() { id.as_str() } else { &self.name }
     }
 }
 

@@ -21,6 +21,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::Light;
+use crate::diag::Diagnostic;
 use crate::ids::{LightId, is_slug};
 
 /// Set of lights, with the text that says it.
@@ -188,6 +189,25 @@ impl LightSet {
             SetStep::Term(term) => Some(term),
         });
         terms.filter(|term| !lights.iter().any(|(id, light)| term.names(id, light)))
+    }
+}
+
+impl LightSet {
+    /// Warnings of terms that name none of these lights; `whose` begins them: whose set it is.
+    pub fn idle_warnings(&self, whose: &str, lights: &IndexMap<LightId, Light>) -> Vec<Diagnostic> {
+        let groups = || lights.values().flat_map(|light| &light.groups).map(AsRef::as_ref);
+        let names = || lights.values().map(|light| &*light.name).filter(|name| !name.is_empty());
+        let idle = |term: &SetTerm| {
+            let (what, known): (&str, Vec<&str>) = match term {
+                SetTerm::Group(_) => ("group of lights", groups().collect()),
+                SetTerm::Name(_) => ("light of the name", names().collect()),
+                _ => ("light", lights.keys().map(AsRef::as_ref).collect()),
+            };
+            let word = term.word();
+            let message = format!("{whose} names the {what} `{word}`, which there is not");
+            Diagnostic::warning("unknown-light", message).suggest(word, known)
+        };
+        self.idle_terms(lights).map(idle).collect()
     }
 }
 

@@ -10,7 +10,7 @@ use indexmap::IndexMap;
 use super::planner::Planner;
 use super::{DroppedEffect, PlanOptions};
 use crate::compile::Live;
-use crate::document::{Light, Look, Values};
+use crate::document::{Light, Look, Scene, Values};
 use crate::frame::camera::View;
 use crate::frame::cost::EffectCost;
 use crate::frame::coverage::PixelArea;
@@ -65,7 +65,8 @@ impl PlacedScene<'_> {
         if values.is_empty() {
             return Cow::Borrowed(&self.looks[look]);
         }
-        structural_look(&self.setup.looks[look].look, self.options.time, values)
+        let worn = structural_look(&self.setup.looks[look].look, self.options.time, values);
+        with_lights_of(&self.setup.scene, worn)
     }
 
     /// The center of each object, in world space.
@@ -91,6 +92,19 @@ impl PlacedScene<'_> {
     }
 }
 
+/// A look whose groups run for each light of a set, with the scene's lights beside its own.
+fn with_lights_of<'l>(scene: &Scene, look: Cow<'l, Look>) -> Cow<'l, Look> {
+    let is_new = |id: &LightId| !look.lights.contains_key(id);
+    if !scene.lights.keys().any(is_new) || !look.runs_for_lights() {
+        return look;
+    }
+    let mut lit = look.into_owned();
+    for (id, light) in &scene.lights {
+        lit.lights.entry(id.clone()).or_insert_with(|| light.clone());
+    }
+    Cow::Owned(lit)
+}
+
 impl Planner {
     /// Places the objects and the camera.
     pub(super) fn place<'a>(
@@ -110,7 +124,10 @@ impl Planner {
             view.least_distance(),
         ));
         let none = Values::new();
-        let now = |look: &'a SetupLook| structural_look(&look.look, options.time, &none);
+        let now = |look: &'a SetupLook| {
+            let look = structural_look(&look.look, options.time, &none);
+            with_lights_of(&setup.scene, look)
+        };
         let looks = setup.looks.iter().map(now).collect();
         let (lives, mix) = (lives(setup, live), setup.light_mix());
         PlacedScene { setup, library, options, lives, looks, placed, view, mix }

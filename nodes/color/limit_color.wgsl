@@ -1,0 +1,27 @@
+import chiaro::types;
+import chiaro::total;
+
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white.
+///
+/// @param color "Color" default=1,1,1,1 : Straight; its alpha stays.
+/// @param limit "Limit" default=1 min=0 max=10 : No channel exceeds this.
+/// @param softness "Softness" default=0 min=0 max=1 : How much of the way to the limit is pressed
+///   together, so that bright parts keep their differences.
+/// @return color "Color" : Its brightest channel is at most the limit.
+fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
+    let c = bounded_vec3(color.xyz);
+    let most = clamp(bounded(limit), 0.0, 1e6);
+    let knee = most * (1.0 - clamp(softness, 0.0, 1.0));
+    let brightest = max(max(c.x, c.y), c.z);
+    if brightest <= knee {
+        return vec4f(c, bounded(color.w));
+    }
+    let room = most - knee;
+    let above = brightest - knee;
+    // A hyperbola from the knee, where its slope is 1, toward the limit.
+    let pressed = knee + select(0.0, room * (above / (above + room)), room > 0.0);
+    return vec4f(c * (pressed / brightest), bounded(color.w));
+}
