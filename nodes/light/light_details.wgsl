@@ -1,6 +1,7 @@
 import chiaro::types;
 import chiaro::light;
 import chiaro::numeric;
+import chiaro::total;
 
 /// Light details
 ///
@@ -27,7 +28,7 @@ fn light_details_directional(direction: vec3f, color: vec3f, intensity: f32, ind
 fn light_details_point(light_position: vec3f, color: vec3f, intensity: f32, fading: vec2f,
     index: f32, count: f32, position: vec3f) -> LightDetails {
     let offset = light_position - position;
-    let distance = length(offset);
+    let distance = length_of(offset);
     let falloff = light_fading(distance, fading);
     return LightDetails(normalize_or(offset, vec3f(0.0, 0.0, 1.0)), vec4f(color, 1.0), intensity,
         distance, falloff, 1.0, index, count, intensity * falloff);
@@ -37,7 +38,7 @@ fn light_details_spot(light_position: vec3f, aim: vec3f, color: vec3f, intensity
     fading: vec2f, index: f32, count: f32, position: vec3f) -> LightDetails {
     let offset = light_position - position;
     let direction = normalize_or(offset, vec3f(0.0, 0.0, 1.0));
-    let distance = length(offset);
+    let distance = length_of(offset);
     let falloff = light_fading(distance, fading);
     let within = light_cone(dot(-direction, aim), cone);
     return LightDetails(direction, vec4f(color, 1.0), intensity, distance, falloff, within, index,

@@ -8,7 +8,8 @@ use crate::diag::Diagnostic;
 use crate::files::Disk;
 use crate::library::Library;
 use chiaro_sweeps::{
-    AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, looks_in, search, survey,
+    AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, SurveyPart, looks_in, search,
+    survey,
 };
 
 const EXAMPLES: &str = "\
@@ -30,6 +31,9 @@ pub(super) struct Arguments {
     /// Only these kinds of nodes, and no looks
     #[arg(short, long, num_args = 1..)]
     nodes: Vec<String>,
+    /// Only this part: the nodes, the pictures of looks, or what flickers in them
+    #[arg(long, value_enum, conflicts_with = "nodes")]
+    only: Option<Part>,
     /// The folder of looks to draw
     #[arg(long, default_value = "examples/looks")]
     looks: PathBuf,
@@ -52,6 +56,14 @@ pub(super) struct Arguments {
     json: bool,
 }
 
+/// Part of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Part {
+    Nodes,
+    Looks,
+    Stability,
+}
+
 pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let library = Library::built_in();
     check_nodes(&arguments.nodes, library)?;
@@ -64,7 +76,13 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         search::check(folder.as_ref(), library, &outputs).map_err(one)?;
     }
     let quick = arguments.quick;
+    let part = arguments.only.map(|part| match part {
+        Part::Nodes => SurveyPart::Nodes,
+        Part::Looks => SurveyPart::Looks,
+        Part::Stability => SurveyPart::Stability,
+    });
     let wanted = Survey {
+        parts: part.map_or(SurveyPart::ALL.to_vec(), |part| vec![part]),
         nodes: arguments.nodes.clone(),
         effort: if quick { Effort::QUICK } else { Effort::FULL },
         looks: if arguments.nodes.is_empty() {
@@ -115,6 +133,9 @@ fn command_of(arguments: &Arguments) -> String {
     let mut command = "chiaro accuracy".to_owned();
     if arguments.quick {
         command += " --quick";
+    }
+    if let Some(part) = arguments.only.and_then(|part| clap::ValueEnum::to_possible_value(&part)) {
+        command += &format!(" --only {}", part.get_name());
     }
     if arguments.large {
         command += " --large";

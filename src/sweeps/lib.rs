@@ -35,4 +35,4 @@ pub use measure::{CaseFigures, Effort, Finding, Laboratory};
 pub use report::AccuracyReport;
 pub use search::{WorstInput, climb};
 pub use stability::{StabilityEffort, StabilityFigures, measure_stability};
-pub use survey::{Survey, survey};
+pub use survey::{Survey, SurveyPart, survey};

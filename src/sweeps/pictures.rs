@@ -144,6 +144,7 @@ pub(super) fn stability_part(report: &AccuracyReport, text: &mut String, plots: 
     let _ = writeln!(
         text,
         "## Temporal stability\n\n\
+         Each look in its exact tier; a cheaper one flickers by twice its error above at most. \
          The camera turns by {STEP} rad a frame and the lights by twice that the other way; each \
          pixel's change from frame to\n\
          frame, less the change of its truth, is flicker. *Smooth* is where the truth hardly \

@@ -70,10 +70,14 @@ impl AccuracyReport {
         let mut text = String::new();
         self.head(&mut text, command);
         self.broken_part(&mut text);
-        self.nodes_part(&mut text, plots);
-        exceptions_part(&mut text);
+        if !self.nodes.is_empty() {
+            self.nodes_part(&mut text, plots);
+            exceptions_part(&mut text);
+        }
         if !self.looks.is_empty() {
             pictures::looks_part(self, &mut text, plots);
+        }
+        if !self.stability.is_empty() {
             pictures::stability_part(self, &mut text, plots);
         }
         text

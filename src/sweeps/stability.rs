@@ -7,8 +7,9 @@ use serde::Serialize;
 
 use super::looks::EDGE_SHARE;
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::{MeasureError, PremultipliedPicture, truth::Truth};
+use crate::accuracy::{MeasureError, PremultipliedPicture, Variant, truth::Truth};
 use crate::compile::Live;
+use crate::document::Tier;
 use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
@@ -105,7 +106,8 @@ struct ComparedFrame {
     outlines: Vec<bool>,
 }
 
-/// Turns a look on a mesh, and compares each frame's change with the truth's. `precise` draws
+/// Turns a look in its exact tier on a mesh, and compares each frame's change with the truth's: a
+/// cheaper tier flickers by twice its error at most. `precise` draws
 /// [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors
@@ -119,6 +121,7 @@ pub async fn measure_stability(
     progress: &Progress,
 ) -> Result<StabilityFigures, MeasureError> {
     let setup = open(path, Some(mesh), &mut Assets::default())?.value;
+    let setup = Variant::Looks(Tier::Exact).of(&setup);
     let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
     let mut measured = StabilityFigures {
         look: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),

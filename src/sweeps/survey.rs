@@ -22,9 +22,27 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 
+/// Part of a survey.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurveyPart {
+    /// Nodes, each alone.
+    Nodes,
+    /// Pictures of looks.
+    Looks,
+    /// Flicker of looks.
+    Stability,
+}
+
+impl SurveyPart {
+    /// All parts, in the order of the report.
+    pub const ALL: [Self; 3] = [Self::Nodes, Self::Looks, Self::Stability];
+}
+
 /// Nodes and looks that are surveyed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
+    /// Parts that are made.
+    pub parts: Vec<SurveyPart>,
     /// Kinds of nodes; all kinds if empty.
     pub nodes: Vec<String>,
     /// Extent of the measurements of each node.
@@ -49,6 +67,7 @@ const KEPT_OF_A_CASE: usize = 2;
 enum SurveyTask {
     Case(Case),
     Look(PathBuf),
+    Stability(PathBuf),
     /// The largest pictures of a look: only one worker makes such pictures at a time, as two would
     /// take all memory.
     Large(PathBuf),
@@ -57,7 +76,8 @@ enum SurveyTask {
 /// Result of a job.
 enum TaskResult {
     Case(CaseFigures, Vec<WorstInput>),
-    Look(Vec<LookFigures>, Vec<StabilityFigures>),
+    Look(Vec<LookFigures>),
+    Stability(Vec<StabilityFigures>),
     Large(Vec<LookFigures>),
 }
 
@@ -88,23 +108,28 @@ pub async fn survey(
     progress: &Progress,
     wait: FutureWaiter<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
-    let looks = survey.looks.clone();
+    let has = |part| survey.parts.contains(&part);
+    let looks = |part| survey.looks.iter().filter(move |_| has(part)).cloned();
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
+    kinds.retain(|_| has(SurveyPart::Nodes));
     kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
     kinds.sort_unstable();
     let cases: Vec<Case> =
         kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
     let large = survey.large.as_ref().map_or(0, LookEffort::truths);
-    let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
-    let steps = (cases.len() + looks.len() * truths) as u64;
+    let pictures = looks(SurveyPart::Looks).count() * (survey.look_effort.truths() + large);
+    let frames = looks(SurveyPart::Stability).count() * MESHES.len() * survey.stability.frames;
+    let steps = (cases.len() + pictures + frames) as u64;
     progress.expect(steps);
     let progress = progress.part(steps);
     progress.begin(steps);
-    let large = looks.iter().filter(|_| survey.large.is_some());
-    let large: Vec<SurveyTask> = large.map(|path| SurveyTask::Large(path.clone())).collect();
+    let large = looks(SurveyPart::Looks).filter(|_| survey.large.is_some());
+    let large: Vec<SurveyTask> = large.map(SurveyTask::Large).collect();
     // The jobs that take longest come first.
-    let small =
-        looks.into_iter().map(SurveyTask::Look).chain(cases.into_iter().map(SurveyTask::Case));
+    let small = looks(SurveyPart::Stability)
+        .map(SurveyTask::Stability)
+        .chain(looks(SurveyPart::Looks).map(SurveyTask::Look))
+        .chain(cases.into_iter().map(SurveyTask::Case));
     let first_small = large.len();
     let jobs: Vec<SurveyTask> = large.into_iter().chain(small).collect();
 
@@ -178,6 +203,9 @@ impl SurveyState<'_> {
                 SurveyTask::Look(path) => {
                     self.measure_look(path, &mut *precise.with_own_store().executor()).await
                 }
+                SurveyTask::Stability(path) => {
+                    self.measure_stability(path, &mut *precise.with_own_store().executor()).await
+                }
                 SurveyTask::Large(path) => {
                     self.measure_large(path, &mut *precise.with_own_store().executor()).await
                 }
@@ -227,14 +255,22 @@ impl SurveyState<'_> {
         let progress = &self.progress;
         let drawn =
             measure_look(path, self.library, precise, &self.survey.look_effort, progress).await?;
-        let effort = &self.survey.stability;
-        let mut stability = Vec::new();
+        Ok(TaskResult::Look(drawn))
+    }
+
+    async fn measure_stability(
+        &self,
+        path: &Path,
+        precise: &mut dyn Executor,
+    ) -> Result<TaskResult, MeasureError> {
+        let (effort, progress) = (&self.survey.stability, &self.progress);
+        let mut found = Vec::new();
         for mesh in MESHES {
-            stability.push(
+            found.push(
                 measure_stability(path, mesh, self.library, precise, effort, progress).await?,
             );
         }
-        Ok(TaskResult::Look(drawn, stability))
+        Ok(TaskResult::Stability(found))
     }
 
     async fn measure_large(
@@ -276,10 +312,8 @@ impl AccuracyReport {
                     self.nodes.push(measured);
                     self.worst.extend(worst);
                 }
-                TaskResult::Look(drawn, stability) => {
-                    self.looks.extend(drawn);
-                    self.stability.extend(stability);
-                }
+                TaskResult::Look(drawn) => self.looks.extend(drawn),
+                TaskResult::Stability(found) => self.stability.extend(found),
                 TaskResult::Large(drawn) => self.large.extend(drawn),
             }
         }

@@ -12,7 +12,8 @@ use chiaro::files::Disk;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::sweeps::{
-    Case, CaseFigures, Effort, Laboratory, LookEffort, StabilityEffort, Survey, looks_in, survey,
+    Case, CaseFigures, Effort, Laboratory, LookEffort, StabilityEffort, Survey, SurveyPart,
+    looks_in, survey,
 };
 
 fn sweep(effort: &Effort) -> Vec<CaseFigures> {
@@ -176,6 +177,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
         ..LookEffort::quick()
     };
     let wanted = Survey {
+        parts: SurveyPart::ALL.to_vec(),
         nodes: kinds.map(str::to_owned).to_vec(),
         effort,
         looks: looks_in(&Disk, folder.path()).expect("the folder is listed"),
