@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::editor_support::{User, node_center};
+use crate::editor_support::{User, node_center, set_text};
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit, pos2, vec2};
@@ -713,4 +713,36 @@ fn costs_of_nodes_are_shown_on_request() {
     hand.app_mut().session_mut().apply(set, None).unwrap();
     hand.settle();
     assert_ne!(hand.app().canvas().cost_text("power"), Some(text));
+}
+
+#[test]
+fn a_group_runs_for_each_light_of_a_set_that_is_typed() {
+    let mut hand = open(&json!({
+        "lights": {"key": {"groups": ["set"]}, "fill": {"direction": [-1, 0, 1]}},
+        "definitions": {"lamps": {"label": "Lamps", "outputs": [{"name": "color"}],
+            "nodes": [{"id": "of", "kind": "light_details"},
+                {"id": "sum", "kind": "sum_of_lights"}],
+            "wires": [{"from": "of.color", "to": "sum.value"},
+                {"from": "sum", "to": "outputs.color"}]}},
+        "nodes": [{"id": "lamps", "kind": "lamps"},
+            {"id": "output", "kind": "output", "at": [300, 0]}],
+        "wires": [{"from": "lamps", "to": "output.color"}]}));
+    let set = |hand: &User| {
+        let set = hand.look().graph.nodes["lamps"].for_each.clone();
+        set.map(|set| set.text().to_owned())
+    };
+    select(&mut hand, &["lamps"]);
+    set_text(&mut hand, "For each light", "group:set");
+    assert_eq!(set(&hand).as_deref(), Some("group:set"));
+    assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
+    assert!(hand.harness.query_by_label_contains("each of group:set").is_some());
+    hand.type_text(" |");
+    hand.settle();
+    assert_eq!(set(&hand).as_deref(), Some("group:set"), "what is no set waits");
+    set_text(&mut hand, "For each light", "");
+    assert_eq!(set(&hand), None);
+    hand.key(Key::Enter);
+    hand.settle();
+    hand.undo();
+    assert_eq!(set(&hand).as_deref(), Some("group:set"));
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::User;
+use crate::editor_support::{User, set_text};
 use chiaro::compile::{CompileOptions, Live, compile};
 use chiaro::document::{Edit, Scene};
 use chiaro::editor::{App, Places};
@@ -670,16 +670,6 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     assert!(sees(&hand, "two.json has changes"));
     press(&mut hand, "Do not save");
     assert!(hand.app().session().open_scene().is_none());
-}
-
-/// Clears the text field of this name and types into it.
-fn set_text(hand: &mut User, field: &str, text: &str) {
-    let at = hand.harness.get_by_role_and_label(Role::TextInput, field).rect().center();
-    hand.click(at);
-    hand.key_with(Modifiers::COMMAND, Key::A);
-    hand.key(Key::Delete);
-    hand.type_text(text);
-    hand.settle();
 }
 
 #[test]

@@ -385,6 +385,12 @@ impl<'a> Flattener<'a> {
             let slot = if let Some(group) = self.groups.get(&node.kind) {
                 self.open_group(scope, id, node, group, path, framed.get(id).cloned())
             } else {
+                if node.for_each.is_some() {
+                    let message = "`for_each` is for groups: this node runs once";
+                    let problem = Diagnostic::warning("not-a-group", message).node(path.clone());
+                    self.problems
+                        .push(problem.hint("make a group of it (Ctrl+G), and set it there"));
+                }
                 match self.node_def(node, &path) {
                     Some(def) => {
                         let region =

@@ -265,8 +265,12 @@ impl Canvas {
         let tag =
             if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
         let id = row.id.clone();
-        let value =
-            if tag.is_empty() { self.value_of(pen.session, &id).map(str::to_owned) } else { None };
+        let each_of = row.each_of.clone();
+        let value = if tag.is_empty() {
+            each_of.or_else(|| self.value_of(pen.session, &id).map(str::to_owned))
+        } else {
+            None
+        };
         let row = &mut self.table.nodes[index];
         let end = Node::default();
         let node = match pen.session.graph().nodes.get(&row.id) {

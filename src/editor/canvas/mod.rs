@@ -240,10 +240,11 @@ impl Canvas {
                 let selected =
                     if session.selection.nodes.contains(&row.id) { ", selected" } else { "" };
                 let muted = if row.is_muted { ", muted" } else { "" };
+                let each = row.each_of.as_ref().map(|each| format!(", {each}")).unwrap_or_default();
                 let idle =
                     self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
                 let name = format!(
-                    "Node {}{selected}{muted}{idle}{}",
+                    "Node {}{selected}{muted}{each}{idle}{}",
                     row.title,
                     problem.unwrap_or_default()
                 );

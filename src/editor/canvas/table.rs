@@ -11,7 +11,7 @@ use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::text::NodeText;
 use crate::catalog::{Catalog, NodeKind};
-use crate::document::Graph;
+use crate::document::{Graph, LightSet};
 use crate::drawing::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
@@ -55,11 +55,21 @@ pub(crate) struct NodeRow {
     passes: Option<Type>,
     pub(crate) is_collapsed: bool,
     pub(crate) is_muted: bool,
+    /// Words on the lights that a group runs for, if it does for each.
+    pub(crate) each_of: Option<String>,
     /// True for the two ends of a group, which are no nodes of the document.
     pub(crate) is_end: bool,
     /// True if no output of the graph depends on the node.
     pub(crate) is_unused: bool,
     pub(crate) text: NodeText,
+}
+
+/// Words on the lights that a group runs for.
+fn each_of(set: &LightSet) -> String {
+    match set.text() {
+        "*" => "each light".to_owned(),
+        text => format!("each of {text}"),
+    }
 }
 
 /// Frame as drawn.
@@ -152,6 +162,7 @@ impl Table {
                 kind,
                 is_collapsed: node.collapsed,
                 is_muted: node.muted,
+                each_of: node.for_each.as_ref().map(each_of),
                 is_end: false,
                 is_unused: false,
                 text: NodeText::default(),
@@ -194,6 +205,7 @@ impl Table {
                 kind: Arc::new(kind),
                 is_collapsed: false,
                 is_muted: false,
+                each_of: None,
                 is_end: true,
                 is_unused: false,
                 text: NodeText::default(),

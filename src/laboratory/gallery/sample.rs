@@ -41,6 +41,9 @@ struct NodeSample {
 
 /// A look that shows the first output of a node of `kind`; `None` if nothing of it can be seen.
 fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
+    if Library::built_in().nodes.get(&kind.id).is_some_and(|def| def.joins_lights()) {
+        return joined_look(kind);
+    }
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
@@ -80,6 +83,48 @@ fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Lo
     }
     build.then("output", "output", "color", &[], shown);
     Some(build.look)
+}
+
+/// A look of three colored lights, joined by a node of `kind` in a group that runs for each.
+fn joined_look(kind: &NodeKind) -> Option<Look> {
+    let join = |port: &str| format!("join.{port}");
+    let fed = kind.inputs.iter().map(|port| match (port.name.as_str(), &port.ty) {
+        (name, Type::Light) => ("lamp", join(name)),
+        (name @ ("value" | "color"), _) => ("lit", join(name)),
+        (name, _) if name != "margin" => ("tone", join(name)),
+        (_, _) => ("", String::new()),
+    });
+    let own = [
+        ("lamp", "angle.light".to_owned()),
+        ("angle", "tone.angle".to_owned()),
+        ("lamp", "parts.light".to_owned()),
+        ("parts.color", "lit.a".to_owned()),
+        ("tone", "lit.b".to_owned()),
+        ("join", "outputs.color".to_owned()),
+    ];
+    let wires: Vec<Json> = own
+        .into_iter()
+        .chain(fed.filter(|(from, _)| !from.is_empty()))
+        .map(|(from, to)| serde_json::json!({ "from": from, "to": to }))
+        .collect();
+    let text = serde_json::json!({
+        "lights": {
+            "key": {"direction": [-0.7, 0.5, 0.5], "color": [0.95, 0.62, 0.3]},
+            "fill": {"direction": [0.8, 0.3, 0.4], "color": [0.3, 0.55, 0.95]},
+            "low": {"direction": [0.1, -0.9, 0.4], "color": [0.7, 0.25, 0.6]}},
+        "definitions": {"lamps": {
+            "outputs": [{"name": "color"}],
+            "nodes": [{"id": "lamp", "kind": "light"}, {"id": "parts", "kind": "light_parts"},
+                {"id": "angle", "kind": "parametrization"},
+                {"id": "tone", "kind": "profile",
+                    "values": {"offset": 0.5, "falloff": 0.8, "cutoff": 1.1}},
+                {"id": "lit", "kind": "multiply"}, {"id": "join", "kind": kind.id}],
+            "wires": wires}},
+        "nodes": [{"id": NODE, "kind": "lamps", "for_each": "*"},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": NODE, "to": "output.color"}]
+    });
+    Look::read(&text.to_string(), "sample.json").value
 }
 
 impl NodeSample {

@@ -14,8 +14,8 @@ use chiaro::editor::App;
 use chiaro::render::Gpu;
 use chiaro_test_drawing::wait::block_on;
 use eframe::egui::{
-    self, Event, Key, Modifiers, MouseWheelUnit, OutputCommand, PointerButton, Pos2, Rect, Vec2,
-    ViewportId, vec2,
+    self, Event, Key, Modifiers, MouseWheelUnit, OutputCommand, PointerButton, Pos2, Rect, Role,
+    Vec2, ViewportId, vec2,
 };
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -335,4 +335,14 @@ pub(crate) fn node_center(hand: &User, id: &str) -> Pos2 {
 
 pub(crate) fn close(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-3
+}
+
+/// Clears the text field of this name and types into it.
+pub(crate) fn set_text(hand: &mut User, field: &str, text: &str) {
+    let at = hand.harness.get_by_role_and_label(Role::TextInput, field).rect().center();
+    hand.click(at);
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.key(Key::Delete);
+    hand.type_text(text);
+    hand.settle();
 }

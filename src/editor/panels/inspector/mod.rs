@@ -7,7 +7,7 @@ use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
-use crate::document::{ColorSpace, Edit, Look, Target, Tier, Value};
+use crate::document::{ColorSpace, Edit, LightSet, Look, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::{InspectedNode, marks, row};
 use crate::ids::LightId;
@@ -18,6 +18,7 @@ use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
 use crate::widgets::spots::{self, Spot};
+use crate::widgets::text::formed;
 use crate::widgets::theme;
 
 /// Number of steps of a screen between the least and the greatest number of a color.
@@ -110,6 +111,7 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
             }
         });
     }
+    for_each_row(ui, subject, out);
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
     let path = session.selection.path_of(id);
@@ -194,6 +196,33 @@ fn presets(
                     .map(|(port, value)| (session.selection.target(id, port), value.clone()));
                 out.push(Command::Edit(session.keys().set_all_at(values)));
             }
+        }
+    });
+}
+
+/// Shows the lights that a group runs for, once for each.
+fn for_each_row(
+    ui: &mut Ui,
+    InspectedNode { session, id, node, .. }: &InspectedNode<'_>,
+    out: &mut Vec<Command>,
+) {
+    let is_group = session.look().definitions.contains_key(node.kind.as_str());
+    if !is_group && node.for_each.is_none() {
+        return;
+    }
+    let help = "Runs the group once for each light of a set: a light that nothing in it names is \
+                that one, and nodes such as Sum of lights join what comes of them. * is every \
+                light; key | group:rim - group:set says more";
+    row::labelled(ui, "For each light", help, |ui, label| {
+        let read = |text: &str| match text.trim() {
+            "" => Ok(None),
+            text => LightSet::parse(text).map(Some).map_err(|why| why.to_string()),
+        };
+        let text_of = |set: &Option<LightSet>| set.as_ref().map_or("", LightSet::text).to_owned();
+        if let Some((widget, for_each)) = formed(ui, label, &node.for_each, text_of, read) {
+            let graph = session.selection.graph_id().clone();
+            let edit = Edit::SetForEach { graph, id: (*id).clone(), for_each };
+            out.push(Command::EditHeld(widget, edit));
         }
     });
 }
