@@ -147,10 +147,11 @@ fn every_technique_has_nodes_looks_and_tests() {
         let mut found = BTreeSet::new();
         let examples = links(examples);
         for look in examples.iter().flat_map(|path| looks(path)) {
-            look["nodes"]
-                .as_array()
-                .unwrap()
-                .iter()
+            let groups = look["definitions"].as_object().into_iter().flatten();
+            let inner = groups.map(|(_, group)| &group["nodes"]);
+            let nodes = std::iter::once(&look["nodes"]).chain(inner);
+            nodes
+                .flat_map(|nodes| nodes.as_array().unwrap())
                 .for_each(|node| words_of_node(node, &mut found));
             let sets = look["direction_keys"].as_array().into_iter().flatten();
             sets.for_each(|set| words_of_drivers(&set["by"], &mut found));
