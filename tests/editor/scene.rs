@@ -800,3 +800,26 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
     let [other, same] = picture(&setup, true);
     assert!(!Arc::ptr_eq(&ring.look, &other.look) && Arc::ptr_eq(&ball.look, &same.look));
 }
+
+#[test]
+fn groups_of_lights_are_mixed() {
+    let home = Home::new();
+    let lights = r#""lights": {
+        "key": {"groups": ["set"]}, "back": {"groups": ["rim", "set"]}}, "objects": ["#;
+    fs::write(home.scene(), TWO.replacen("\"objects\": [", lights, 1)).unwrap();
+    let mut hand = home.window(Some(&home.scene()));
+    tab(&mut hand, "Lights");
+    press(&mut hand, "Group rim shines");
+    assert_eq!(scene(&hand).muted.text(), "group:rim");
+    press(&mut hand, "Solo group set");
+    assert_eq!(scene(&hand).soloed.text(), "group:set");
+    set_number(&mut hand, "Exposure of group rim", "-1.5");
+    assert_eq!(scene(&hand).light_groups["rim"].exposure, -1.5);
+    press(&mut hand, "Solo group set");
+    press(&mut hand, "Group rim shines");
+    assert_eq!((scene(&hand).muted.text(), scene(&hand).soloed.text()), ("", ""));
+    set_number(&mut hand, "Exposure of group rim", "0");
+    assert!(scene(&hand).light_groups.is_empty(), "a master that does nothing is not kept");
+    hand.undo();
+    assert_eq!(scene(&hand).light_groups["rim"].exposure, -1.5);
+}

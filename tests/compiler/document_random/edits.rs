@@ -215,7 +215,7 @@ proptest! {
         let start = history.document().to_text();
         for _ in 0..12 {
             let id = history.document().objects.keys().next().cloned().unwrap_or("none".into());
-            let edit = match random.below(9) {
+            let edit = match random.below(12) {
                 0 => SceneEdit::AddObject {
                     id: random.slug().into(), object: random.object(), index: Some(0)
                 },
@@ -228,6 +228,13 @@ proptest! {
                 7 => SceneEdit::AddLight {
                     id: random.slug().into(), light: random.light(), index: None
                 },
+                8 => SceneEdit::SetMaster {
+                    group: random.slug().as_str().into(),
+                    master: random.chance(2).then(|| random.master()),
+                    index: Some(0),
+                },
+                9 => SceneEdit::SetMutedLights { muted: random.light_set() },
+                10 => SceneEdit::SetSoloedLights { soloed: random.light_set() },
                 _ => SceneEdit::Group {
                     edits: vec![
                         SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }

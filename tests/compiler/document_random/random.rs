@@ -464,7 +464,7 @@ impl Random {
         q.map(|x| x / length)
     }
 
-    fn master(&mut self) -> GroupMaster {
+    pub(crate) fn master(&mut self) -> GroupMaster {
         GroupMaster {
             name: self.text(),
             intensity: self.positive(1e3),

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::{insert, remove_named};
 use super::{EditResult, Editable, all_or_none, missing, trial};
-use crate::document::{Camera, Light, Object, Scene, TimeRange};
-use crate::ids::{LightId, ObjectId};
+use crate::document::{Camera, GroupMaster, Light, LightSet, Object, Scene, TimeRange};
+use crate::ids::{LightGroup, LightId, ObjectId};
 
 /// Edit of a scene.
 ///
@@ -34,6 +34,12 @@ pub enum SceneEdit {
     SetLight { id: LightId, light: Light },
     /// Removes a light.
     RemoveLight { id: LightId },
+    /// Sets the master of a group of lights; `None` for none.
+    SetMaster { group: LightGroup, master: Option<GroupMaster>, index: Option<usize> },
+    /// Sets the lights that are out.
+    SetMutedLights { muted: LightSet },
+    /// Sets the lights that shine alone.
+    SetSoloedLights { soloed: LightSet },
     /// Sets the rotation of the illumination frame: a unit quaternion `[x, y, z, w]`.
     SetIllumination { rotation: [f64; 4] },
     /// Moves the camera.
@@ -99,6 +105,22 @@ impl Editable for Scene {
                 let (index, light) = remove_named(&mut self.lights, "light", &id)?;
                 SceneEdit::AddLight { id, light, index: Some(index) }
             }
+            SceneEdit::SetMaster { group, master, index } => {
+                let old = self.light_groups.shift_remove_full(&group);
+                let (at, old) = old.map(|(at, _, old)| (at, old)).unzip();
+                if let Some(master) = master {
+                    let last = self.light_groups.len();
+                    let index = at.or(index).unwrap_or(last).min(last);
+                    self.light_groups.shift_insert(index, group.clone(), master);
+                }
+                SceneEdit::SetMaster { group, master: old, index: at }
+            }
+            SceneEdit::SetMutedLights { muted } => {
+                SceneEdit::SetMutedLights { muted: replace(&mut self.muted, muted) }
+            }
+            SceneEdit::SetSoloedLights { soloed } => {
+                SceneEdit::SetSoloedLights { soloed: replace(&mut self.soloed, soloed) }
+            }
             SceneEdit::SetIllumination { rotation } => {
                 SceneEdit::SetIllumination { rotation: replace(&mut self.illumination, rotation) }
             }
@@ -128,6 +150,9 @@ impl Editable for Scene {
             SceneEdit::AddLight { id, .. } => format!("add the light {id}"),
             SceneEdit::SetLight { id, .. } => format!("change the light {id}"),
             SceneEdit::RemoveLight { id } => format!("remove the light {id}"),
+            SceneEdit::SetMaster { group, .. } => format!("mix the lights of {group}"),
+            SceneEdit::SetMutedLights { .. } => "mute lights".to_owned(),
+            SceneEdit::SetSoloedLights { .. } => "solo lights".to_owned(),
             SceneEdit::SetIllumination { .. } => "turn the lights".to_owned(),
             SceneEdit::SetCamera { .. } => "move the camera".to_owned(),
             SceneEdit::SetBackdrop { .. } => "change the backdrop".to_owned(),
@@ -143,6 +168,9 @@ impl Editable for Scene {
         match (older, newer) {
             (SceneEdit::SetObject { id: a, .. }, SceneEdit::SetObject { id: b, .. }) => a == b,
             (SceneEdit::SetLight { id: a, .. }, SceneEdit::SetLight { id: b, .. }) => a == b,
+            (SceneEdit::SetMaster { group: a, .. }, SceneEdit::SetMaster { group: b, .. }) => {
+                a == b
+            }
             (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
             | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
             | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })

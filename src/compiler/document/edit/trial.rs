@@ -103,6 +103,12 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
         }
         SceneEdit::SetCamera { camera } => trial.camera = *camera,
         SceneEdit::SetBackdrop { color } => trial.backdrop = *color,
+        SceneEdit::SetMaster { group, master, .. } => {
+            slug(group.as_str())?;
+            trial.light_groups.extend(master.clone().map(|master| (group.clone(), master)));
+        }
+        SceneEdit::SetMutedLights { muted } => trial.muted.clone_from(muted),
+        SceneEdit::SetSoloedLights { soloed } => trial.soloed.clone_from(soloed),
         SceneEdit::SetTime { time } => trial.time = *time,
         _ => return Ok(()),
     }

@@ -179,6 +179,59 @@ impl LightSet {
         open.pop().unwrap_or_default()
     }
 
+    /// The set with the lights of a term, too.
+    #[must_use]
+    pub fn with(&self, term: &SetTerm) -> Self {
+        self.extended(SetOperator::Union, term)
+    }
+
+    /// The set without the lights of a term, among these lights: the term goes, and where others
+    /// still name some of its lights, these are taken away.
+    #[must_use]
+    pub fn without(&self, term: &SetTerm, lights: &IndexMap<LightId, Light>) -> Self {
+        let left = self.terms_of_union().map(|mut terms| {
+            terms.retain(|own| *own != term);
+            let nothing = Self::none();
+            terms.into_iter().fold(nothing, |set, own| set.with(own))
+        });
+        let left = left.unwrap_or_else(|| self.clone());
+        let still = left.of(lights, &BTreeSet::new());
+        let is_still =
+            |(id, light): (&LightId, &Light)| term.names(id, light) && still.contains(id);
+        if lights.iter().any(is_still) {
+            left.extended(SetOperator::Difference, term)
+        } else {
+            left
+        }
+    }
+
+    fn extended(&self, operator: SetOperator, term: &SetTerm) -> Self {
+        let mut steps = self.steps.clone();
+        let is_first = steps.is_empty();
+        steps.push(SetStep::Term(term.clone()));
+        let text = if is_first {
+            term.to_string()
+        } else {
+            steps.push(SetStep::Operator(operator));
+            let sign = if operator == SetOperator::Difference { '-' } else { '|' };
+            format!("{} {sign} {term}", self.text.trim())
+        };
+        Self { text, steps }
+    }
+
+    /// Terms of a set that is nothing but terms joined by `|`.
+    fn terms_of_union(&self) -> Option<Vec<&SetTerm>> {
+        let is_union = |step: &SetStep| match step {
+            SetStep::Term(_) => true,
+            SetStep::Operator(operator) => *operator == SetOperator::Union,
+        };
+        let terms = self.steps.iter().filter_map(|step| match step {
+            SetStep::Term(term) => Some(term),
+            SetStep::Operator(_) => None,
+        });
+        self.steps.iter().all(is_union).then(|| terms.collect())
+    }
+
     /// Terms that name none of these lights.
     pub fn idle_terms<'s>(
         &'s self,
@@ -495,6 +548,20 @@ mod tests {
     }
 
     #[test]
+    fn a_term_that_is_taken_out_leaves_no_trace() {
+        let lights = lights();
+        let [key, set] = [SetTerm::Id("key".to_owned()), SetTerm::Group("set".to_owned())];
+        let none = LightSet::none();
+        let both = none.with(&key).with(&set);
+        assert_eq!(both.text(), "key | group:set");
+        // The key light is of the set, too.
+        assert_eq!(both.without(&key, &lights).text(), "group:set - key");
+        assert_eq!(both.without(&set, &lights).text(), "key - group:set");
+        assert_eq!(none.with(&key).without(&key, &lights), none);
+        assert_eq!(LightSet::all().without(&set, &lights).text(), "* - group:set");
+    }
+
+    #[test]
     fn terms_that_name_nothing_are_found() {
         let set = LightSet::parse("kye | group:rims - \"Rim\" & * | {source}").unwrap();
         let lights = lights();
@@ -547,6 +614,27 @@ mod tests {
                 (format!("({a}) | ({b}) & ({c})"), format!("({a}) | (({b}) & ({c}))")),
             ] {
                 prop_assert_eq!(ids(&one), ids(&other), "{} and {}", one, other);
+            }
+        }
+
+        #[test]
+        fn terms_are_put_in_and_taken_out(
+            (text, _) in expressions(),
+            term in prop::sample::select(vec![
+                SetTerm::Id("key".to_owned()),
+                SetTerm::Group("set".to_owned()),
+                SetTerm::Name("Rim".to_owned()),
+            ]),
+        ) {
+            let lights = lights();
+            let set = LightSet::parse(&text).unwrap();
+            let of = |set: &LightSet| set.of(&lights, &BTreeSet::new());
+            let own = of(&LightSet::none().with(&term));
+            let (with, without) = (set.with(&term), set.without(&term, &lights));
+            prop_assert_eq!(of(&with), &of(&set) | &own);
+            prop_assert_eq!(of(&without), &of(&set) - &own);
+            for made in [with, without] {
+                prop_assert_eq!(&LightSet::parse(made.text()).unwrap(), &made);
             }
         }
 

@@ -3,6 +3,7 @@
 
 mod add;
 mod edit;
+mod mixer;
 
 use std::collections::HashMap;
 
@@ -28,6 +29,7 @@ use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 pub(crate) use edit::edit;
+use mixer::Mixer;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
@@ -75,8 +77,17 @@ impl Lights {
                 hint(ui, "The look has no lights. Layers need one each.");
             }
             self.list(ui, session, Owner::Look, &mut out);
+            if let Some(mixer) = self.mixer(session) {
+                mixer.show(ui, &mut out);
+            }
         });
         out
+    }
+
+    /// The mixer of the open scene.
+    fn mixer<'s>(&self, session: &'s Session) -> Option<Mixer<'s>> {
+        let of_looks = self.shared.iter().map(|(id, shared)| (id.clone(), shared.light.clone()));
+        Mixer::of(session, of_looks)
     }
 
     fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
@@ -284,6 +295,9 @@ impl Lights {
             out.push(owned_light.duplicate(session).once());
         }
         add::scene_menu(ui, session, owned_light, &self.shared, out);
+        if let Some(mixer) = self.mixer(session) {
+            mixer.menu(ui, owned_light.id, out);
+        }
         ui.separator();
         if ui.add(Button::new("Remove light")).on_hover_text(removal).clicked() {
             out.push(owned_light.remove().once());
