@@ -20,15 +20,18 @@ const TOP: f64 = 78.0;
 const ROW: f64 = 17.0;
 /// Smallest error that is drawn: f32 cannot tell smaller ones from none.
 const LEAST: f64 = 1e-8;
+/// Largest error that is drawn; a result that is infinite is as far off as that.
+const MOST: f64 = 1e12;
 
 /// Draws rows under a title, with a legend of colors.
 pub fn svg(title: &str, axis: &str, rows: &[PlotRow], legend: &[(&str, &str)]) -> String {
     let numbers =
         || rows.iter().flat_map(|row| row.points.iter().map(|point| point.0).chain(row.bound));
     let low = numbers().fold(1e-4, |low: f64, x| low.min(x.max(LEAST))).log10().floor();
-    let high = numbers().fold(1e-6, f64::max).log10().ceil();
+    let high = numbers().fold(1e-6, f64::max).min(MOST).log10().ceil();
     let at = |x: f64| {
-        LEFT + (x.max(LEAST).log10() - low) / (high - low).max(1.0) * (WIDTH - LEFT - RIGHT)
+        LEFT + (x.max(LEAST).min(MOST).log10() - low) / (high - low).max(1.0)
+            * (WIDTH - LEFT - RIGHT)
     };
     let bottom = TOP + ROW * rows.len() as f64;
     let height = bottom + 44.0;
@@ -131,5 +134,13 @@ mod tests {
         assert!((x_of("green") - LEFT).abs() < 0.1);
         assert!((x_of("blue") - LEFT - 0.25 * width).abs() < 0.1);
         assert!((x_of("red") - LEFT - 0.5 * width).abs() < 0.1);
+    }
+
+    #[test]
+    fn an_infinite_error_is_drawn_within_the_plot() {
+        let points = vec![(f64::INFINITY, "#000"), (1e-6, "#000")];
+        let row = PlotRow { label: "node".to_owned(), points, bound: Some(2e-6) };
+        let text = svg("Errors", "relative", &[row], &[]);
+        assert!(text.len() < 10_000 && !text.contains("inf"), "{text}");
     }
 }
