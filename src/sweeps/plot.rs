@@ -30,8 +30,8 @@ pub fn svg(title: &str, axis: &str, rows: &[PlotRow], legend: &[(&str, &str)]) -
     let low = numbers().fold(1e-4, |low: f64, x| low.min(x.max(LEAST))).log10().floor();
     let high = numbers().fold(1e-6, f64::max).min(MOST).log10().ceil();
     let at = |x: f64| {
-        LEFT + (x.max(LEAST).min(MOST).log10() - low) / (high - low).max(1.0)
-            * (WIDTH - LEFT - RIGHT)
+        let x = if x.is_nan() { MOST } else { x.clamp(LEAST, MOST) };
+        LEFT + (x.log10() - low) / (high - low).max(1.0) * (WIDTH - LEFT - RIGHT)
     };
     let bottom = TOP + ROW * rows.len() as f64;
     let height = bottom + 44.0;
