@@ -21,8 +21,8 @@ fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
     }
     let room = most - knee;
     let above = brightest - knee;
-    // A hyperbola from the knee, where its slope is 1, toward the limit.
-    let pressed = knee + select(0.0, room * (above / (above + room)), room > 0.0);
+    // A hyperbola from the knee, where its slope is 1, toward the limit: ab / (a + b).
+    let pressed = knee + min(above, room) * (max(above, room) / (above + room));
     // Rounding must not brighten: channels may be as large as numbers come.
     return vec4f(c * min(pressed / brightest, 1.0), bounded(color.w));
 }

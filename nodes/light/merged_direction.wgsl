@@ -19,7 +19,8 @@ import chiaro::total;
 fn merged_direction(light: Light, weight: f32, before_direction: vec3f, before_color: Color,
     before_intensity: f32, before_sum: vec3f, reach: f32) -> MergedDirection {
     let w = clamp(bounded(weight), 0.0, 1e6) * min(light.intensity, 1e6);
-    if (reach <= 0.0) | (w <= 0.0) {
+    // What an f32 can no longer tell from nothing gives no direction.
+    if (reach <= 0.0) | (w < 1e-20) {
         return MergedDirection(before_direction, before_color, before_intensity, before_sum);
     }
     let bright = w * max(luminance(vec4f(light.color, 1.0)), 0.0);

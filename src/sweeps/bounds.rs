@@ -145,6 +145,7 @@ pub const EXCEPTIONS: &[Exception] = &[
         .steep("where total reflection begins, the direction turns infinitely fast"),
     on("normalize_vector", "").steps("a vector that is too short to have a direction gives 0"),
     on("light", "").steep("at the light itself it has no direction"),
+    on("light_details", "").steep("at the light itself it has no direction"),
     on("fraction", "").together().steep(STEPS),
     on("modulo", "").within(1e15).together().steep(STEPS),
     on("rounding", "").steps(STEPS),
