@@ -105,8 +105,8 @@ vec4 limit_color(vec4 color, float limit, float softness) {
     }
     float room = (limit - knee);
     float above = (brightest - knee);
-    float pressed = (knee + (room * (above / (above + room))));
-    return vec4((color.xyz * (pressed / brightest)), 2.0);
+    float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
+    return vec4((color.xyz * min((pressed / brightest), 1.0)), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(Light light, vec3 normal) {

@@ -143,8 +143,8 @@ Color limit_color(
     }
     float room = limit - knee;
     float above = brightest - knee;
-    float pressed = knee + (room * (above / (above + room)));
-    return metal::float4(color.xyz * (pressed / brightest), 2.0);
+    float pressed = knee + (metal::min(above, room) * (metal::max(above, room) / (above + room)));
+    return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(

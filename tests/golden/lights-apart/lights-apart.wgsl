@@ -128,8 +128,8 @@ fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
     }
     let room = limit - knee;
     let above = brightest - knee;
-    let pressed = knee + room * (above / (above + room));
-    return vec4f(color.xyz * (pressed / brightest), 2.0);
+    let pressed = knee + min(above, room) * (max(above, room) / (above + room));
+    return vec4f(color.xyz * min(pressed / brightest, 1.0), 2.0);
 }
 
 fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
