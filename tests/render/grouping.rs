@@ -74,13 +74,14 @@ fn random_group(look: &Look, random: &mut Random) -> Option<Edit> {
 fn random_dissolve(look: &Look, random: &mut Random) -> Option<Edit> {
     let graph = any_graph(look, random);
     let nodes = &look.graph_of(&graph)?.nodes;
+    let once = nodes.iter().filter(|(_, node)| node.for_each.is_none());
     let groups: Vec<(&NodeId, &Definition)> =
-        nodes.iter().filter_map(|(id, node)| Some((id, definition(look, &node.kind)?))).collect();
+        once.filter_map(|(id, node)| Some((id, definition(look, &node.kind)?))).collect();
     if groups.is_empty() {
         return None;
     }
     let (id, definition) = *random.pick(&groups);
-    Some(dissolve(look, &graph, id, definition).expect("none is muted").edit)
+    Some(dissolve(look, &graph, id, definition).expect("none is muted or runs for each light").edit)
 }
 
 /// Groups and ungroups again and again; the picture does not change, and all steps can be undone.

@@ -219,7 +219,9 @@ fn narrowness(look: &SetupLook) -> f64 {
         let (offset, cutoff) = (angle(node, "offset")?, angle(node, "cutoff")?);
         (cutoff > offset).then(|| cutoff / (cutoff - offset))
     };
-    look.look.graph.nodes.values().filter_map(of).fold(1.0, f64::max)
+    let inner = look.look.definitions.values().map(|definition| &definition.graph);
+    let graphs = std::iter::once(&look.look.graph).chain(inner);
+    graphs.flat_map(|graph| graph.nodes.values()).filter_map(of).fold(1.0, f64::max)
 }
 
 /// Values computed once in f64 are closer to the truth than values rounded at each step.

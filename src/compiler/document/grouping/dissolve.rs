@@ -25,8 +25,8 @@ pub struct DissolvedGroup {
 /// removed too.
 ///
 /// # Errors
-/// A diagnostic where there is no such node, or where it is muted: a muted group gives another
-/// result than the nodes in it.
+/// A diagnostic where there is no such node, or where it is muted or runs for each light: it then
+/// gives another result than the nodes in it.
 pub fn dissolve(
     look: &Look,
     graph: &GraphId,
@@ -39,6 +39,12 @@ pub fn dissolve(
     if node.muted {
         let problem = impossible(format!("the group `{id}` is muted, so it is not what is in it"));
         return Err(Box::new(problem.hint("unmute it first")));
+    }
+    if node.for_each.is_some() {
+        let problem = impossible(format!(
+            "the group `{id}` runs for each light, so it is not what is in it once"
+        ));
+        return Err(Box::new(problem.hint("clear *For each light* first")));
     }
     let opened = GroupContents { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();
