@@ -152,7 +152,7 @@ impl<'a> LookWithLibrary<'a> {
 
 /// Display name of a light.
 pub(crate) fn light_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
-    if light.name.is_empty() { id.as_str() } else { &light.name }
+    light.display_name(id)
 }
 
 /// Label made from an identifier or a phrase: `rim_width` is "Rim width".

@@ -27,8 +27,15 @@ pub struct LightReach {
 impl Setup {
     /// All lights that an object's links may name: the scene's, then those of the object's looks.
     fn lights_about(&self, object: &SetupObject) -> IndexMap<LightId, Light> {
+        self.lights_with(object.worn_looks().collect::<BTreeSet<usize>>())
+    }
+
+    /// The scene's lights, then those that some of its looks have besides.
+    pub(super) fn lights_with(
+        &self,
+        looks: impl IntoIterator<Item = usize>,
+    ) -> IndexMap<LightId, Light> {
         let mut lights = self.scene.lights.clone();
-        let looks: BTreeSet<usize> = object.worn_looks().collect();
         for (id, light) in looks.into_iter().flat_map(|look| &self.looks[look].look.lights) {
             lights.entry(id.clone()).or_insert_with(|| light.clone());
         }
@@ -49,7 +56,7 @@ impl Setup {
         for object in &self.objects {
             let link = &object.light_link;
             for (light, rule) in link.rules(&self.lights_about(object)) {
-                let out = mix.why_out(&light).filter(|_| rule == LinkRule::Linked);
+                let out = mix.out().get(&light).filter(|_| rule == LinkRule::Linked);
                 let words = out.map_or_else(|| link.words(rule), |why| why.clone().into_owned());
                 let reaches = rule == LinkRule::Linked && out.is_none();
                 found.push(LightReach { object: object.id.clone(), light, reaches, words });

@@ -25,11 +25,6 @@ pub(super) struct LightMix {
 }
 
 impl LightMix {
-    /// The reason why a light is out.
-    pub(super) fn why_out(&self, id: &LightId) -> Option<&Cow<'static, str>> {
-        self.out.get(id)
-    }
-
     /// Lights that are out, each with the reason.
     pub(super) fn out(&self) -> &IndexMap<LightId, Cow<'static, str>> {
         &self.out
@@ -48,11 +43,7 @@ impl LightMix {
 impl Setup {
     /// All lights: the scene's, then those that its looks have besides.
     pub fn all_lights(&self) -> IndexMap<LightId, Light> {
-        let mut lights = self.scene.lights.clone();
-        for (id, light) in self.looks.iter().flat_map(|look| &look.look.lights) {
-            lights.entry(id.clone()).or_insert_with(|| light.clone());
-        }
-        lights
+        self.lights_with(0..self.looks.len())
     }
 
     /// Lights that shine alone; empty where all do that are not muted.

@@ -2,15 +2,16 @@
 //! themselves, and how large the look becomes. Each definition is looked at once, however often it
 //! is used, so a look whose groups multiply without bound is refused before anything is made of it.
 
-use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, HashMap};
 
+use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::MAX_FLAT_NODES;
 use crate::diag::Diagnostic;
-use crate::document::{Definition, Graph, InterfacePort, Look, Node};
-use crate::ids::{NodeId, NodePath};
+use crate::document::{Definition, Graph, InterfacePort, Light, Look, Node};
+use crate::ids::{LightId, NodeId, NodePath};
 use crate::library::Library;
 
 /// The most groups that lie in each other, from the look's own graph on.
@@ -52,6 +53,15 @@ impl Extent {
             nodes: inner.nodes.saturating_add(1),
             path_ids: inner.path_ids.saturating_add(inner.nodes).saturating_add(1),
             depth: group.map_or(0, |inner| inner.depth.saturating_add(1)),
+        }
+    }
+
+    /// The extent of so many copies.
+    fn times(self, copies: u64) -> Self {
+        Self {
+            nodes: self.nodes.saturating_mul(copies),
+            path_ids: self.path_ids.saturating_mul(copies),
+            depth: self.depth,
         }
     }
 
@@ -98,6 +108,8 @@ impl Extent {
 
 /// All groups that a look uses.
 pub(super) struct UsedGroups<'a> {
+    /// Lights of the look, which groups for each light have a copy for.
+    lights: &'a IndexMap<LightId, Light>,
     list: Vec<UsedGroup<'a>>,
     by_kind: HashMap<&'a str, GroupIndex>,
 }
@@ -108,7 +120,7 @@ impl<'a> UsedGroups<'a> {
     /// # Errors
     /// Where the look would become too large.
     pub(super) fn of(look: &'a Look, library: &'a Library) -> Result<Self, Box<Diagnostic>> {
-        let mut groups = Self { list: Vec::new(), by_kind: HashMap::new() };
+        let mut groups = Self { lights: &look.lights, list: Vec::new(), by_kind: HashMap::new() };
         groups.find(look, library, &look.graph);
         let mut next = 0;
         while let Some(group) = groups.list.get(next) {
@@ -192,7 +204,10 @@ impl<'a> UsedGroups<'a> {
         // A group in itself is reported, and not opened.
         let opened =
             inner.filter(|&inner| !outer.is_some_and(|outer| self.is_recursive(outer, inner)));
-        Extent::of_node(opened.map(|inner| self[inner].extent))
+        let lights = node.for_each.as_ref().map(|set| set.of(self.lights, &BTreeSet::new()).len());
+        // A group for no light is opened once all the same.
+        let copies = lights.map_or(1, |lights| lights.max(1) as u64);
+        Extent::of_node(opened.map(|inner| self[inner].extent)).times(copies)
     }
 
     /// Tells where the look would become too large, with the node that makes most of it.

@@ -70,7 +70,7 @@ impl<'a> Flattener<'a> {
         self.regions[region].copies.len()
     }
 
-    /// Name of the light of a copy, for what is named after it.
+    /// Light of a copy, with its id.
     pub(super) fn light_of(&self, copy: RegionCopy) -> Option<(&'a LightId, &'a Light)> {
         let id = self.regions[copy.region].lights.get(copy.copy)?;
         self.look.lights.get_key_value(id)
@@ -154,7 +154,11 @@ impl<'a> Flattener<'a> {
             LightFeed::Count => {
                 FlatInput::Fixed(Value::Number(self.regions[region].lights.len() as f64))
             }
-            LightFeed::Reach => FlatInput::Wire { node: self.reach(index, at)?, output: 2 },
+            LightFeed::Reach => {
+                let node = self.reach(index, at)?;
+                let output = self.flat.nodes[node].def.output("intensity")?;
+                FlatInput::Wire { node, output }
+            }
         })
     }
 
@@ -164,7 +168,7 @@ impl<'a> Flattener<'a> {
             return Some(known);
         }
         let (id, light) = self.light_of(at)?;
-        let name = if light.name.is_empty() { id.to_string() } else { light.name.clone() };
+        let name = light.display_name(id).to_owned();
         let asking = FlatNode { name, is_named: false, ..self.flat.nodes[asking].clone() };
         let [arriving, parts] =
             ["light", "light_parts"].map(|kind| self.library.nodes.get(kind).cloned());

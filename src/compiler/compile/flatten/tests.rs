@@ -74,6 +74,15 @@ fn groups_that_multiply_are_refused_before_any_is_opened() {
     assert_eq!(flattened(&look(&nested(200, &["x"]))).2, []);
 }
 
+/// Copies for lights multiply as groups do.
+#[test]
+fn groups_for_each_light_that_multiply_are_refused_before_any_is_opened() {
+    let lights: Vec<String> = (0..100).map(|light| format!(r#""l{light}": {{}}"#)).collect();
+    let each = nested(4, &["x"]).replace(r#""id": "x","#, r#""id": "x", "for_each": "*","#);
+    let text = each.replacen('{', &format!(r#"{{"lights": {{{}}}, "#, lights.join(",")), 1);
+    assert_eq!(refused(&text).code, "too-many-nodes");
+}
+
 #[test]
 fn many_nodes_deep_in_groups_are_refused_for_what_their_paths_take() {
     let leaves: Vec<String> =
