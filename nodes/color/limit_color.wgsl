@@ -4,7 +4,7 @@ import chiaro::total;
 /// Limit color
 ///
 /// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
-/// yellow and then white.
+/// yellow and then white. Channels beyond 1e18 count as that.
 ///
 /// @param color "Color" default=1,1,1,1 : Straight; its alpha stays.
 /// @param limit "Limit" default=1 min=0 max=10 : No channel exceeds this.
@@ -12,7 +12,8 @@ import chiaro::total;
 ///   together, so that bright parts keep their differences.
 /// @return color "Color" : Its brightest channel is at most the limit.
 fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
-    let c = bounded_vec3(color.xyz);
+    // Within what an f32 divides without loss, so that the darkest factor is above 0.
+    let c = clamp(bounded_vec3(color.xyz), vec3f(-1e18), vec3f(1e18));
     let most = clamp(bounded(limit), 0.0, 1e6);
     let knee = most * (1.0 - clamp(softness, 0.0, 1.0));
     let brightest = max(max(c.x, c.y), c.z);

@@ -69,13 +69,8 @@ layout(std140, binding = 2) uniform LookBlock { Look u_look; };
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec4 finite_vec4_(vec4 v) {
-    uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
-}
-
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
 float angle_footprint(Angle u) {
@@ -94,15 +89,16 @@ Angle angle_turned(Angle u_1, vec2 t) {
 }
 
 vec4 limit_color(vec4 color, float limit, float softness) {
+    vec3 c = clamp(color.xyz, vec3(-1e18), vec3(1e18));
     float knee = (1.0 - softness);
-    float brightest = max(max(color.x, color.y), color.z);
+    float brightest = max(max(c.x, c.y), c.z);
     if ((brightest <= knee)) {
-        return vec4(color.xyz, 2.0);
+        return vec4(c, 2.0);
     }
     float room = (limit - knee);
     float above = (brightest - knee);
     float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return vec4((color.xyz * min((pressed / brightest), 1.0)), 2.0);
+    return vec4((c * min((pressed / brightest), 1.0)), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
@@ -223,8 +219,7 @@ vec4 shade(Surface surface) {
     vec4 _e203 = sum_of_lights_color(lamps_moon_lit, _e199, _e202);
     vec4 dark = (_e203 + vec4(0.07, 0.05, 0.1, 1.0));
     vec4 _e212 = limit_color(dark, 1.0, 0.4);
-    vec4 _e216 = finite_vec4_(vec4(_e212.xyz, 1.0));
-    return _e216;
+    return vec4(_e212.xyz, 1.0);
 }
 
 void main() {
@@ -234,8 +229,7 @@ void main() {
     vec3 normal_1 = (is_front ? _e3 : -(_e3));
     Surface surface_1 = Surface(normal_1);
     vec4 _e7 = shade(surface_1);
-    vec4 _e8 = finite_vec4_(_e7);
-    out_color = _e8;
+    out_color = _e7;
     return;
 }
 

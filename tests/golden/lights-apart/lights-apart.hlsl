@@ -153,15 +153,9 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-float4 finite_vec4_(float4 v)
+float3 normalize_seen_balanced(float3 v)
 {
-    uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
-}
-
-float3 normalize_seen_balanced(float3 v_1)
-{
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
 float angle_footprint(Angle u)
@@ -191,15 +185,16 @@ Angle angle_turned(Angle u_1, float2 t)
 
 float4 limit_color(float4 color, float limit, float softness)
 {
+    float3 c = clamp(color.xyz, (-1e18).xxx, (1e18).xxx);
     float knee = (1.0 - softness);
-    float brightest = max(max(color.x, color.y), color.z);
+    float brightest = max(max(c.x, c.y), c.z);
     if ((brightest <= knee)) {
-        return float4(color.xyz, 2.0);
+        return float4(c, 2.0);
     }
     float room = (limit - knee);
     float above = (brightest - knee);
     float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return float4((color.xyz * min((pressed / brightest), 1.0)), 2.0);
+    return float4((c * min((pressed / brightest), 1.0)), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(Light light, float3 normal)
@@ -328,8 +323,7 @@ float4 shade(Surface surface)
     const float4 _e203 = sum_of_lights_color(lamps_moon_lit, _e199, _e202);
     float4 dark = (_e203 + float4(0.07, 0.05, 0.1, 1.0));
     const float4 _e212 = limit_color(dark, 1.0, 0.4);
-    const float4 _e216 = finite_vec4_(float4(_e212.xyz, 1.0));
-    return _e216;
+    return float4(_e212.xyz, 1.0);
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -364,6 +358,5 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     float3 normal_3 = (is_front ? _e3 : -(_e3));
     Surface surface_1 = ConstructSurface(normal_3);
     const float4 _e7 = shade(surface_1);
-    const float4 _e8 = finite_vec4_(_e7);
-    return _e8;
+    return _e7;
 }

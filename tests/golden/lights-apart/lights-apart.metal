@@ -98,17 +98,10 @@ struct Varyings {
 };
 constant ProfileShape lamps_moon_tone_shape = ProfileShape {0.9358968, 0.35227424, 66.66917, 2.499803, 0.72, 0.014726315, 0.0063439487, 0u};
 
-metal::float4 finite_vec4_(
-    metal::float4 v
-) {
-    metal::uint4 exponent = metal::uint4(2139095040u);
-    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
-}
-
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
 float angle_footprint(
@@ -136,15 +129,16 @@ Color limit_color(
     float limit,
     float softness
 ) {
+    metal::float3 c = metal::clamp(color.xyz, metal::float3(-1000000000000000000.0), metal::float3(1000000000000000000.0));
     float knee = 1.0 - softness;
-    float brightest = metal::max(metal::max(color.x, color.y), color.z);
+    float brightest = metal::max(metal::max(c.x, c.y), c.z);
     if (brightest <= knee) {
-        return metal::float4(color.xyz, 2.0);
+        return metal::float4(c, 2.0);
     }
     float room = limit - knee;
     float above = brightest - knee;
     float pressed = knee + (metal::min(above, room) * (metal::max(above, room) / (above + room)));
-    return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 2.0);
+    return metal::float4(c * metal::min(pressed / brightest, 1.0), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(
@@ -290,8 +284,7 @@ metal::float4 shade(
     Color _e203 = sum_of_lights_color(lamps_moon_lit, _e199, _e202);
     Color dark = _e203 + metal::float4(0.07, 0.05, 0.1, 1.0);
     Color _e212 = limit_color(dark, 1.0, 0.4);
-    metal::float4 _e216 = finite_vec4_(metal::float4(_e212.xyz, 1.0));
-    return _e216;
+    return metal::float4(_e212.xyz, 1.0);
 }
 
 struct vs_mainInput {
@@ -334,6 +327,5 @@ fragment fs_mainOutput fs_main(
     metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     Surface surface_1 = Surface {normal_1};
     metal::float4 _e7 = shade(surface_1, look);
-    metal::float4 _e8 = finite_vec4_(_e7);
-    return fs_mainOutput { _e8 };
+    return fs_mainOutput { _e7 };
 }

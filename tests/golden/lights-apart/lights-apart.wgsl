@@ -86,12 +86,6 @@ struct Light {
     intensity: f32,
 }
 
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    let exponent = vec4u(0x7f800000u);
-    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
-}
-
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 fn normalize_seen_balanced(v: vec3f) -> vec3f {
@@ -119,17 +113,18 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
 /// Limit color
 ///
 /// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
-/// yellow and then white.
+/// yellow and then white. Channels beyond 1e18 count as that.
 fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
+    let c = clamp(color.xyz, vec3f(-1e18), vec3f(1e18));
     let knee = 1.0 - softness;
-    let brightest = max(max(color.x, color.y), color.z);
+    let brightest = max(max(c.x, c.y), c.z);
     if brightest <= knee {
-        return vec4f(color.xyz, 2.0);
+        return vec4f(c, 2.0);
     }
     let room = limit - knee;
     let above = brightest - knee;
     let pressed = knee + min(above, room) * (max(above, room) / (above + room));
-    return vec4f(color.xyz * min(pressed / brightest, 1.0), 2.0);
+    return vec4f(c * min(pressed / brightest, 1.0), 2.0);
 }
 
 fn parametrization_diffuse_balanced(light: Light, normal: vec3f) -> Angle {
@@ -249,7 +244,7 @@ fn shade(surface: Surface) -> vec4f {
         look.coral_intensity);
     let lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_coral_sum, look.moon_intensity);
     let dark = lamps_moon_sum + vec4f(0.07, 0.05, 0.1, 1.0);
-    return finite_vec4(vec4f(limit_color(dark, 1.0, 0.4).xyz, 1.0));
+    return vec4f(limit_color(dark, 1.0, 0.4).xyz, 1.0);
 }
 
 struct Vertex {
@@ -273,5 +268,5 @@ fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) 
     let facing = normalize_seen_balanced(in.normal);
     let normal = select(-facing, facing, is_front);
     let surface = Surface(normal);
-    return finite_vec4(shade(surface));
+    return shade(surface);
 }

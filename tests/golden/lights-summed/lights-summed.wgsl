@@ -190,7 +190,7 @@ fn srgb_of_oklab(lab: vec3f) -> vec3f {
 /// Limit color
 ///
 /// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
-/// yellow and then white.
+/// yellow and then white. Channels beyond 1e18 count as that.
 fn limit_color(color: Color, limit: f32, softness: f32) -> Color {
     let knee = 1.0 - softness;
     let brightest = max(max(color.x, color.y), color.z);
