@@ -10,6 +10,7 @@ mod effects;
 mod grouping;
 mod links;
 mod long_graphs;
+mod looped_lights;
 mod mute;
 mod node_code;
 mod probe;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::compile::{
-    BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, VertexAttribute, check,
+    BindingKind, CompiledShader, HostStep, LoopedLights, Removal, TypedGraph, TypedSource,
+    VertexAttribute, check,
 };
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
@@ -14,7 +15,7 @@ use crate::frame::{
     Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, TierCosts, effects,
     structural_look, tier_costs,
 };
-use crate::ids::NodePath;
+use crate::ids::{LightId, NodePath};
 use crate::library::{Context, Library, Rate, Treatment};
 
 /// Reason of a [`Removal`] for a node that is folded, so that nothing of it is lost.
@@ -137,6 +138,24 @@ pub(super) struct Nodes {
     pub(super) folded: Vec<String>,
     pub(super) removed: Vec<Removal>,
     pub(super) removed_within: Vec<Removal>,
+    pub(super) loops: Vec<LoopReport>,
+}
+
+/// Lights that are gone through in a loop.
+#[derive(Debug, Serialize)]
+pub(super) struct LoopReport {
+    pub(super) lights: Vec<LightId>,
+    /// Nodes that join what comes of the lights.
+    pub(super) nodes: Vec<String>,
+    /// Operations of one round.
+    pub(super) operations: u64,
+}
+
+impl LoopReport {
+    fn of(looped: &LoopedLights) -> Self {
+        let LoopedLights { lights, nodes, operations } = looped.clone();
+        Self { lights, nodes: nodes.iter().map(ToString::to_string).collect(), operations }
+    }
 }
 
 impl ExplainReport {
@@ -431,6 +450,7 @@ impl Nodes {
         let mut nodes = Self {
             total: typed.order.len(),
             removed_within: shader.removed_within.clone(),
+            loops: shader.loops.iter().map(LoopReport::of).collect(),
             ..Self::default()
         };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {

@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 
 use super::super::tier;
-use super::report::{DecidingDriver, ExplainReport, LookReport, names};
+use super::report::{DecidingDriver, ExplainReport, LookReport, LoopReport, names};
 use crate::compile::TierReason;
 use crate::frame::{Effect, EffectCost, EffectKind, EffectState, TierCosts, TierOperations};
+use crate::ids::LightId;
 use crate::library::Rate;
 
 pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
@@ -256,6 +257,18 @@ fn tell_nodes(look: &LookReport, report: &ExplainReport) -> String {
         for removal in &nodes.removed_within {
             let _ = writeln!(text, "      `{}`: {}", removal.path, removal.reason);
         }
+    }
+    for LoopReport { lights, nodes, operations } in &nodes.loops {
+        let nodes: Vec<String> = nodes.iter().map(|node| format!("`{node}`")).collect();
+        let lights: Vec<&str> = lights.iter().map(LightId::as_str).collect();
+        let _ = writeln!(
+            text,
+            "    {} lights in a loop, {} each, joined by {}: {}",
+            lights.len(),
+            EffectCost::operations(*operations),
+            nodes.join(", "),
+            lights.join(", ")
+        );
     }
     text
 }

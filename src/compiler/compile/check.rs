@@ -10,7 +10,7 @@ use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::drivers::{self, TypedDriver};
 use super::flatten::{
-    FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, TierReason, flatten,
+    FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, RegionCopy, TierReason, flatten,
 };
 use super::tiers;
 use super::value::{describe, expected, typed_value};
@@ -59,6 +59,8 @@ pub struct TypedNode {
     pub path: NodePath,
     /// The artist's name of the node.
     pub name: String,
+    /// The name without those of lights, of a node in a region that runs for each.
+    pub shared_name: Option<String>,
     /// True if the artist gave the node a name of its own.
     pub is_named: bool,
     /// The node's definition.
@@ -75,8 +77,10 @@ pub struct TypedNode {
     pub choices: HashMap<usize, String>,
     /// The light that it names.
     pub light: Option<LightId>,
-    /// The region around the node.
+    /// The outermost group around the node, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
+    /// The copy of the innermost region around the node that runs for each light.
+    pub copy: Option<RegionCopy>,
 }
 
 /// The source that an input is bound to, and the type that the value is taken as.
@@ -272,6 +276,7 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         tier_reason: flat.reason,
         path: flat.path.clone(),
         name: flat.name.clone(),
+        shared_name: flat.shared_name.clone(),
         is_named: flat.is_named,
         def: flat.def.clone(),
         variant: 0,
@@ -279,6 +284,7 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         choices: HashMap::new(),
         light: None,
         region: None,
+        copy: None,
     }
 }
 
@@ -599,6 +605,7 @@ impl<'a> Typer<'a> {
         Some(TypedNode {
             path: flat.path.clone(),
             name: flat.name.clone(),
+            shared_name: flat.shared_name.clone(),
             is_named: flat.is_named,
             def: flat.def.clone(),
             tier: flat.tier,
@@ -608,6 +615,7 @@ impl<'a> Typer<'a> {
             choices,
             light,
             region: flat.region.clone(),
+            copy: flat.copy(),
         })
     }
 

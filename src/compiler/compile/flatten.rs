@@ -16,7 +16,8 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use self::groups::{GroupIndex, UsedGroups};
-use self::regions::{Region, RegionCopy, RegionPlace, without_lights};
+use self::regions::{Region, RegionPlace, without_lights};
+pub use self::regions::{RegionCopy, RegionIndex};
 
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
@@ -97,6 +98,8 @@ pub(super) struct FlatNode {
     pub path: NodePath,
     /// The artist's name, with the names of the groups around the node.
     pub name: String,
+    /// The name without those of lights, of a node in a region that runs for each.
+    pub shared_name: Option<String>,
     /// True if the artist gave the node a name of its own.
     pub is_named: bool,
     /// The node's definition.
@@ -117,6 +120,11 @@ impl FlatNode {
     /// The light that the copy of the region is for; `None` outside of regions.
     pub(super) fn each_light(&self) -> Option<&LightId> {
         self.place.as_ref()?.light.as_ref()
+    }
+
+    /// The copy of the innermost region that the node lies in.
+    pub(super) fn copy(&self) -> Option<RegionCopy> {
+        Some(self.place.as_ref()?.copy)
     }
 }
 
@@ -185,6 +193,8 @@ struct Scope<'a> {
     group: Option<GroupIndex>,
     path: Option<NodePath>,
     name: String,
+    /// The name without those of the lights that copies are for.
+    shared_name: String,
     region: Option<Arc<str>>,
     /// The tier of nodes in the scope that name none of their own; `None` for the cheapest of each
     /// within the look's bound.
@@ -205,6 +215,7 @@ impl<'a> Scope<'a> {
             graph,
             group: None,
             path: None,
+            shared_name: name.clone(),
             name,
             region: None,
             tier,
@@ -431,7 +442,7 @@ impl<'a> Flattener<'a> {
         }
         let label = if definition.label.is_empty() { kind } else { &definition.label };
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
-        let name = join_names(&self.scopes[scope].name, &own);
+        let [name, shared_name] = self.names_of(scope, &own);
         let region =
             self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
         let tier = node.tier.or(self.scopes[scope].tier);
@@ -445,6 +456,7 @@ impl<'a> Flattener<'a> {
             region: Some(region.clone()),
             parent: Some((scope, id)),
             copy,
+            shared_name: shared_name.clone(),
             ..Scope::of(&definition.graph, name, tier)
         };
         let around = self.scopes[scope].copy;
@@ -512,6 +524,12 @@ impl<'a> Flattener<'a> {
         }
     }
 
+    /// The name of a node of a scope with the names around it, and that which copies share.
+    fn names_of(&self, scope: usize, own: &str) -> [String; 2] {
+        let scope = &self.scopes[scope];
+        [&scope.name, &scope.shared_name].map(|outer| join_names(outer, own))
+    }
+
     fn push_node(
         &mut self,
         scope: usize,
@@ -522,7 +540,8 @@ impl<'a> Flattener<'a> {
         region: Option<Arc<str>>,
     ) -> usize {
         let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
-        let name = join_names(&self.scopes[scope].name, &own);
+        let [name, shared] = self.names_of(scope, &own);
+        let shared_name = self.scopes[scope].copy.map(|_| shared);
         let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
         let known = || def.visible_inputs().map(|input| input.name.as_str()).chain(code);
         let is_known = |port: &str| known().any(|name| name == port);
@@ -549,7 +568,18 @@ impl<'a> Flattener<'a> {
         let inputs = Vec::new();
         let is_named = !node.name.is_empty();
         let place = self.place_of(scope);
-        let flat = FlatNode { path, name, is_named, def, tier, reason, inputs, region, place };
+        let flat = FlatNode {
+            path,
+            name,
+            shared_name,
+            is_named,
+            def,
+            tier,
+            reason,
+            inputs,
+            region,
+            place,
+        };
         self.flat.nodes.push(flat);
         self.origins.push((scope, id, node));
         index

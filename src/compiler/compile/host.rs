@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 
 use super::flatten::ParamId;
 use super::intervals::{self, Ranges};
-use super::layout::StructLayout;
+use super::layout::{StructLayout, ValueLayout};
 use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
@@ -99,6 +99,34 @@ pub struct UniformMember {
     pub step: usize,
     /// First byte in the uniform.
     pub offset: u32,
+    /// The place in an array, of a member that differs from light to light.
+    pub place: Option<ArrayPlace>,
+}
+
+/// The place of a member in an array of the uniform.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ArrayPlace {
+    /// Name of the array.
+    pub array: String,
+    /// Name of the struct of its elements.
+    pub element: String,
+    /// Index of the element.
+    pub index: usize,
+    /// Number of elements.
+    pub count: usize,
+    /// Name of the member in the element.
+    pub field: String,
+}
+
+impl ArrayPlace {
+    /// First byte in the uniform, and layout.
+    fn find(&self, uniform: &StructLayout) -> Option<(u32, ValueLayout)> {
+        let (array, layout) = uniform.member(&self.array)?;
+        let ValueLayout::Array { stride, element } = layout else { return None };
+        let ValueLayout::Struct(element) = element.as_ref() else { return None };
+        let (field, layout) = element.member(&self.field)?;
+        Some((array + stride * u32::try_from(self.index).ok()? + field, layout.clone()))
+    }
 }
 
 /// An output that drives keys.
@@ -122,18 +150,24 @@ pub struct HostProgram {
     pub members: Vec<UniformMember>,
     /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
     pub size: u32,
-    layout: StructLayout,
+    /// By member.
+    layouts: Vec<ValueLayout>,
 }
 
 impl HostProgram {
     /// Takes offsets from the `Look` struct of a validated module.
     pub(super) fn with_layout(mut self, module: &naga::Module) -> Self {
         if let Some(layout) = StructLayout::of(module, "Look") {
-            for (member, (_, offset, _)) in self.members.iter_mut().zip(&layout.members) {
-                member.offset = *offset;
+            for member in &mut self.members {
+                let found = match &member.place {
+                    None => layout.member(&member.name).map(|(at, own)| (at, own.clone())),
+                    Some(place) => place.find(&layout),
+                };
+                let (offset, own) = found.unwrap_or((0, ValueLayout::Scalar));
+                member.offset = offset;
+                self.layouts.push(own);
             }
             self.size = layout.size.next_multiple_of(16);
-            self.layout = layout;
         }
         self
     }
@@ -230,8 +264,9 @@ impl HostProgram {
         at: usize,
         uniform: &mut Uniform,
     ) -> Result<(), Diagnostic> {
-        for (value, (_, offset, layout)) in self.run(inputs)?.iter().zip(&self.layout.members) {
-            layout.write(value, at + *offset as usize, &mut uniform.bytes);
+        let places = self.members.iter().zip(&self.layouts);
+        for (value, (member, layout)) in self.run(inputs)?.iter().zip(places) {
+            layout.write(value, at + member.offset as usize, &mut uniform.bytes);
             push_numbers(value, &mut uniform.numbers);
         }
         Ok(())

@@ -34,11 +34,16 @@ pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap, VertexAttribute};
-pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, TierReason, can_be_muted};
-pub use host::{HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers};
+pub use flatten::{
+    GroupOutputs, MAX_FLAT_NODES, Param, ParamId, RegionCopy, RegionIndex, TierReason, can_be_muted,
+};
+pub use host::{
+    ArrayPlace, HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers,
+};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{StructLayout, ValueLayout};
 pub use removal::{Proof, Removal};
+use specialize::LightLoop;
 pub use specialize::{ImageShape, ImageUse, Needs};
 pub use value::{document_value, typed_value};
 
@@ -57,6 +62,19 @@ pub enum Live {
     Touched(HashSet<(NodePath, PortName)>),
     /// Every value. For a look that is being edited.
     All,
+}
+
+/// Choice of the regions that go through their lights in a loop; others have the code of each
+/// light one after another. Both compute the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Loops {
+    /// Regions that are long enough for a loop to be quicker to compile and no slower to run.
+    #[default]
+    ByCost,
+    /// None.
+    Never,
+    /// Regions in which two or more lights that follow one another do the same.
+    Always,
 }
 
 /// Options of a compilation.
@@ -78,6 +96,8 @@ pub struct CompileOptions {
     /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or
     /// black, or that reach none of the objects.
     pub dark: BTreeSet<(LightId, LightField)>,
+    /// Choice of the lights that are gone through in a loop.
+    pub loops: Loops,
     /// True if nothing is folded, merged or removed, and a node is exact unless a tier is named for
     /// it: for a module to compare pruned ones with.
     pub unspecialized: bool,
@@ -111,6 +131,8 @@ pub struct CompiledShader {
     pub removed: Vec<Removal>,
     /// The nodes whose functions take shorter forms, each with what is left out of it.
     pub removed_within: Vec<Removal>,
+    /// The lights that it goes through in loops.
+    pub loops: Vec<LoopedLights>,
     /// Choice of the values that are uniforms in this module: fewer than the options ask for where
     /// the uniform would grow past [`MAX_UNIFORM_BYTES`].
     pub live: Live,
@@ -121,6 +143,17 @@ pub struct CompiledShader {
     pub is_opaque: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
+}
+
+/// Lights that a module goes through in a loop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoopedLights {
+    /// The lights, a round each.
+    pub lights: Vec<LightId>,
+    /// The nodes that join what comes of them.
+    pub nodes: Vec<NodePath>,
+    /// Operations of one round, as the functions of the nodes stand in their files.
+    pub operations: u64,
 }
 
 impl CompiledShader {
@@ -237,6 +270,7 @@ pub fn compile_typed(
         opaque_with: specialized.opaque_with,
         removed: specialized.removed,
         removed_within: emitted.removed_within,
+        loops: specialized.loops.into_iter().map(LightLoop::into_looped).collect(),
         live: options.live.clone(),
         // A material's mask says by itself whether its other side is to be drawn.
         cutoff: if options.cutout {

@@ -8,6 +8,7 @@
 
 mod bounds;
 mod bypass;
+mod loops;
 mod opacity;
 
 use std::collections::{HashMap, HashSet};
@@ -15,6 +16,8 @@ use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 
+use self::loops::{JoinedNodes, joined_copy};
+pub(super) use self::loops::{LightLoop, LoopVariable};
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
 use super::flatten::ParamId;
 use super::host::{conversion_program, conversion_ranges};
@@ -53,11 +56,44 @@ pub(super) enum Argument {
 #[derive(Clone, Debug)]
 pub(super) enum Operation {
     Constant(interp::Value),
-    Param { id: ParamId, value: interp::Value },
+    Param {
+        id: ParamId,
+        value: interp::Value,
+    },
     Context(Context, Option<LightId>),
-    Call { function: Function, arguments: Vec<Argument> },
-    Member { value: ValueId, index: usize, name: PortName },
-    Convert { template: &'static str, value: ValueId },
+    Call {
+        function: Function,
+        arguments: Vec<Argument>,
+    },
+    Member {
+        value: ValueId,
+        index: usize,
+        name: PortName,
+    },
+    Convert {
+        template: &'static str,
+        value: ValueId,
+    },
+    /// Runs a body once for each light, by index into [`SpecializedGraph::loops`]; reads what its
+    /// variables are before and what a round makes of them.
+    Loop {
+        index: usize,
+        arguments: Vec<Argument>,
+    },
+    /// A variable of a loop once that has run.
+    LoopResult {
+        value: ValueId,
+        variable: usize,
+    },
+    /// A variable of a loop in its body.
+    LoopVariable {
+        index: usize,
+    },
+    /// In a loop's body, what the uniform holds for the round's light.
+    LoopField {
+        index: usize,
+        field: usize,
+    },
 }
 
 /// A value of the graph: an operation with its type, rate and origin.
@@ -163,6 +199,7 @@ pub(super) struct SpecializedGraph {
     pub(super) opaque_with: Option<Vec<ImageUse>>,
     /// The value of each of the graph's drivers, as a number.
     pub(super) drivers: Vec<ValueId>,
+    pub(super) loops: Vec<LightLoop>,
     pub(super) removed: Vec<Removal>,
 }
 
@@ -224,6 +261,7 @@ struct Builder<'a> {
     removed: Vec<Removal>,
     /// Nodes of which a result is known by ranges alone.
     proved: HashSet<usize>,
+    joined: JoinedNodes,
     intervals: intervals::Calls,
     problems: Vec<Diagnostic>,
 }
@@ -241,6 +279,7 @@ impl<'a> Builder<'a> {
             images: Vec::new(),
             removed: Vec::new(),
             proved: HashSet::new(),
+            joined: JoinedNodes::new(),
             intervals: intervals::Calls::default(),
             problems: Vec::new(),
         }
@@ -294,6 +333,9 @@ impl<'a> Builder<'a> {
         } else {
             vec![result]
         };
+        if let Some((copy, joined)) = joined_copy(node, &inputs, &self.outputs[index]) {
+            self.joined.entry((copy.region, node.path.clone())).or_default().push(joined);
+        }
         if node.def.special == Treatment::Output {
             self.output_roots(index, node, &inputs);
         }
@@ -392,11 +434,7 @@ impl<'a> Builder<'a> {
         if !self.options.dark.contains(&(light.clone(), LightField::Intensity)) {
             return None;
         }
-        let before = |output: &Output| {
-            let feed = Some(LightFeed::Before(output.name.clone()));
-            inputs[node.def.inputs.iter().position(|input| input.light_feed == feed)?]
-        };
-        node.def.outputs.iter().map(before).collect()
+        node.def.outputs.iter().map(|output| before(node, output, inputs)).collect()
     }
 
     /// The only value, to the bit, that ranges leave to a value of this type.
@@ -782,7 +820,7 @@ impl<'a> Builder<'a> {
         let mut roots = vec![Some(root), cutoff.and(Some(color)), cutoff];
         roots.extend(drivers.iter().map(|&driver| Some(driver)));
         self.explain_unused(&roots);
-        SpecializedGraph {
+        let specialized = SpecializedGraph {
             values: self.values,
             root,
             color: Some(color),
@@ -790,8 +828,10 @@ impl<'a> Builder<'a> {
             images: self.images,
             opaque_with,
             drivers,
+            loops: Vec::new(),
             removed: self.removed,
-        }
+        };
+        specialized.with_loops(self.joined, self.options.loops)
     }
 
     /// The values that drive keys, as numbers. Modules that draw normals leave keys to the look's
@@ -885,6 +925,12 @@ impl Builder<'_> {
     }
 }
 
+/// The value that the lights before have left of an output, of a node that joins lights.
+fn before(node: &TypedNode, output: &Output, inputs: &[Option<ValueId>]) -> Option<ValueId> {
+    let feed = Some(LightFeed::Before(output.name.clone()));
+    inputs[node.def.inputs.iter().position(|input| input.light_feed == feed)?]
+}
+
 /// For each value, true if the roots depend on it.
 pub(super) fn reachable(
     values: &[ComputedValue],
@@ -903,9 +949,15 @@ pub(super) fn reachable(
 /// The values that an operation reads.
 pub(super) fn operands(operation: &Operation) -> impl DoubleEndedIterator<Item = ValueId> + '_ {
     let (single, arguments): (Option<ValueId>, &[Argument]) = match operation {
-        Operation::Constant(_) | Operation::Param { .. } | Operation::Context(..) => (None, &[]),
-        Operation::Call { arguments, .. } => (None, arguments),
-        Operation::Member { value, .. } | Operation::Convert { value, .. } => (Some(*value), &[]),
+        Operation::Constant(_)
+        | Operation::Param { .. }
+        | Operation::Context(..)
+        | Operation::LoopVariable { .. }
+        | Operation::LoopField { .. } => (None, &[]),
+        Operation::Call { arguments, .. } | Operation::Loop { arguments, .. } => (None, arguments),
+        Operation::Member { value, .. }
+        | Operation::Convert { value, .. }
+        | Operation::LoopResult { value, .. } => (Some(*value), &[]),
     };
     let of_arguments = arguments.iter().filter_map(|argument| match argument {
         Argument::Value(id) => Some(*id),

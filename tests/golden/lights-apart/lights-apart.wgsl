@@ -23,34 +23,34 @@ struct Object {
 struct Look {
     @align(16) moon: Light,
     @align(16) moon_intensity: f32,
-    @align(16) coral: Light,
-    @align(16) coral_intensity: f32,
-    @align(16) rose: Light,
-    @align(16) rose_intensity: f32,
     @align(16) violet: Light,
     @align(16) violet_intensity: f32,
-    @align(16) cobalt: Light,
-    @align(16) cobalt_intensity: f32,
-    @align(16) azure: Light,
-    @align(16) azure_intensity: f32,
-    @align(16) teal: Light,
-    @align(16) teal_intensity: f32,
-    @align(16) jade: Light,
-    @align(16) jade_intensity: f32,
-    @align(16) lime: Light,
-    @align(16) lime_intensity: f32,
+    @align(16) rose: Light,
+    @align(16) rose_intensity: f32,
     @align(16) amber: Light,
     @align(16) amber_intensity: f32,
+    @align(16) gold: Light,
+    @align(16) gold_intensity: f32,
+    @align(16) coral: Light,
+    @align(16) coral_intensity: f32,
+    @align(16) magenta: Light,
+    @align(16) magenta_intensity: f32,
+    @align(16) cobalt: Light,
+    @align(16) cobalt_intensity: f32,
+    @align(16) turquoise: Light,
+    @align(16) turquoise_intensity: f32,
+    @align(16) azure: Light,
+    @align(16) azure_intensity: f32,
     lamps_moon_strength: vec4f,
-    lamps_coral_strength: vec4f,
-    lamps_rose_strength: vec4f,
     lamps_violet_strength: vec4f,
-    lamps_cobalt_strength: vec4f,
-    lamps_azure_strength: vec4f,
-    lamps_teal_strength: vec4f,
-    lamps_jade_strength: vec4f,
-    lamps_lime_strength: vec4f,
+    lamps_rose_strength: vec4f,
     lamps_amber_strength: vec4f,
+    lamps_gold_strength: vec4f,
+    lamps_coral_strength: vec4f,
+    lamps_magenta_strength: vec4f,
+    lamps_cobalt_strength: vec4f,
+    lamps_turquoise_strength: vec4f,
+    lamps_azure_strength: vec4f,
 }
 
 /// The surface under the fragment, in world space.
@@ -201,48 +201,51 @@ fn shade(surface: Surface) -> vec4f {
     let lamps_moon_angle = parametrization_diffuse_balanced(look.moon, surface.normal);
     let lamps_moon_tone = profile_balanced(lamps_moon_angle, 0.0, lamps_moon_tone_shape);
     let lamps_moon_lit = look.lamps_moon_strength * vec4f(vec3f(lamps_moon_tone), 1.0);
-    let lamps_coral_angle = parametrization_diffuse_balanced(look.coral, surface.normal);
-    let lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_coral_lit = look.lamps_coral_strength * vec4f(vec3f(lamps_coral_tone), 1.0);
-    let lamps_rose_angle = parametrization_diffuse_balanced(look.rose, surface.normal);
-    let lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_rose_lit = look.lamps_rose_strength * vec4f(vec3f(lamps_rose_tone), 1.0);
     let lamps_violet_angle = parametrization_diffuse_balanced(look.violet, surface.normal);
     let lamps_violet_tone = profile_balanced(lamps_violet_angle, 0.0, lamps_moon_tone_shape);
     let lamps_violet_lit = look.lamps_violet_strength * vec4f(vec3f(lamps_violet_tone), 1.0);
-    let lamps_cobalt_angle = parametrization_diffuse_balanced(look.cobalt, surface.normal);
-    let lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_cobalt_lit = look.lamps_cobalt_strength * vec4f(vec3f(lamps_cobalt_tone), 1.0);
-    let lamps_azure_angle = parametrization_diffuse_balanced(look.azure, surface.normal);
-    let lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_azure_lit = look.lamps_azure_strength * vec4f(vec3f(lamps_azure_tone), 1.0);
-    let lamps_teal_angle = parametrization_diffuse_balanced(look.teal, surface.normal);
-    let lamps_teal_tone = profile_balanced(lamps_teal_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_teal_lit = look.lamps_teal_strength * vec4f(vec3f(lamps_teal_tone), 1.0);
-    let lamps_jade_angle = parametrization_diffuse_balanced(look.jade, surface.normal);
-    let lamps_jade_tone = profile_balanced(lamps_jade_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_jade_lit = look.lamps_jade_strength * vec4f(vec3f(lamps_jade_tone), 1.0);
-    let lamps_lime_angle = parametrization_diffuse_balanced(look.lime, surface.normal);
-    let lamps_lime_tone = profile_balanced(lamps_lime_angle, 0.0, lamps_moon_tone_shape);
-    let lamps_lime_lit = look.lamps_lime_strength * vec4f(vec3f(lamps_lime_tone), 1.0);
+    let lamps_rose_angle = parametrization_diffuse_balanced(look.rose, surface.normal);
+    let lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_rose_lit = look.lamps_rose_strength * vec4f(vec3f(lamps_rose_tone), 1.0);
     let lamps_amber_angle = parametrization_diffuse_balanced(look.amber, surface.normal);
     let lamps_amber_tone = profile_balanced(lamps_amber_angle, 0.0, lamps_moon_tone_shape);
     let lamps_amber_lit = look.lamps_amber_strength * vec4f(vec3f(lamps_amber_tone), 1.0);
-    let lamps_amber_sum = select(vec4f(0.0, 0.0, 0.0, 1.0), vec4f(0.0 + lamps_amber_lit.xyz, 1.0),
-        look.amber_intensity > 0.0);
-    let lamps_lime_sum = sum_of_lights_color(lamps_lime_lit, lamps_amber_sum, look.lime_intensity);
-    let lamps_jade_sum = sum_of_lights_color(lamps_jade_lit, lamps_lime_sum, look.jade_intensity);
-    let lamps_teal_sum = sum_of_lights_color(lamps_teal_lit, lamps_jade_sum, look.teal_intensity);
-    let lamps_azure_sum = sum_of_lights_color(lamps_azure_lit, lamps_teal_sum,
-        look.azure_intensity);
-    let lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_azure_sum,
+    let lamps_gold_angle = parametrization_diffuse_balanced(look.gold, surface.normal);
+    let lamps_gold_tone = profile_balanced(lamps_gold_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_gold_lit = look.lamps_gold_strength * vec4f(vec3f(lamps_gold_tone), 1.0);
+    let lamps_coral_angle = parametrization_diffuse_balanced(look.coral, surface.normal);
+    let lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_coral_lit = look.lamps_coral_strength * vec4f(vec3f(lamps_coral_tone), 1.0);
+    let lamps_magenta_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
+    let lamps_magenta_tone = profile_balanced(lamps_magenta_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_magenta_lit = look.lamps_magenta_strength * vec4f(vec3f(lamps_magenta_tone), 1.0);
+    let lamps_cobalt_angle = parametrization_diffuse_balanced(look.cobalt, surface.normal);
+    let lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_cobalt_lit = look.lamps_cobalt_strength * vec4f(vec3f(lamps_cobalt_tone), 1.0);
+    let lamps_turquoise_angle = parametrization_diffuse_balanced(look.turquoise, surface.normal);
+    let lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_turquoise_lit = look.lamps_turquoise_strength
+        * vec4f(vec3f(lamps_turquoise_tone), 1.0);
+    let lamps_azure_angle = parametrization_diffuse_balanced(look.azure, surface.normal);
+    let lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
+    let lamps_azure_lit = look.lamps_azure_strength * vec4f(vec3f(lamps_azure_tone), 1.0);
+    let lamps_azure_sum = select(vec4f(0.0, 0.0, 0.0, 1.0), vec4f(0.0 + lamps_azure_lit.xyz, 1.0),
+        look.azure_intensity > 0.0);
+    let lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum,
+        look.turquoise_intensity);
+    let lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum,
         look.cobalt_intensity);
-    let lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_cobalt_sum,
-        look.violet_intensity);
-    let lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_violet_sum, look.rose_intensity);
-    let lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_rose_sum,
+    let lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum,
+        look.magenta_intensity);
+    let lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum,
         look.coral_intensity);
-    let lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_coral_sum, look.moon_intensity);
+    let lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum, look.gold_intensity);
+    let lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum,
+        look.amber_intensity);
+    let lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum, look.rose_intensity);
+    let lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum,
+        look.violet_intensity);
+    let lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum, look.moon_intensity);
     let dark = lamps_moon_sum + vec4f(0.07, 0.05, 0.1, 1.0);
     return vec4f(limit_color(dark, 1.0, 0.4).xyz, 1.0);
 }

@@ -34,6 +34,15 @@ impl Emitter<'_> {
                 }
                 Conversion::Template(template).apply(&self.expression(*value))
             }
+            Operation::LoopField { .. } => {
+                let name = self.value_names.get(&id).cloned().unwrap_or_default();
+                if value.ty == Type::Bool { format!("({name} != 0u)") } else { name }
+            }
+            Operation::Loop { .. }
+            | Operation::LoopResult { .. }
+            | Operation::LoopVariable { .. } => {
+                self.value_names.get(&id).cloned().unwrap_or_default()
+            }
             // Parameters that stay live are of object rate.
             Operation::Param { value: constant, .. } => {
                 self.literal(constant, &value.ty, value.node)

@@ -3,10 +3,12 @@
 use std::fmt::Write as _;
 
 use super::attributes::{SurfaceVarying, VARYINGS, VertexAttribute};
+use super::loops::is_struct;
 use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
 use crate::compile::functions::write_line;
+use crate::compile::host::UniformMember;
 use crate::compile::intervals;
 use crate::document::{ColorSpace, Tier};
 use crate::library::{PassId, StageValue, Type};
@@ -141,17 +143,23 @@ impl Emitter<'_> {
             self.out.push('\n');
         }
         if !self.host.members.is_empty() {
+            self.write_element_structs();
             self.out.push_str("/// What is known before the fragment.\nstruct Look {\n");
             let mut after_struct = false;
             let mut lines = String::new();
+            let mut array = "";
             for member in &self.host.members {
+                let (line, is_struct) = match &member.place {
+                    Some(place) if place.array == array => continue,
+                    Some(place) => {
+                        array = &place.array;
+                        (format!("{array}: array<{}, {}>,", place.element, place.count), true)
+                    }
+                    None => (self.member_line(member, &member.name), is_struct(&member.ty)),
+                };
                 // Uniform buffers want structs, and what follows one, on 16 bytes.
-                let is_struct = matches!(
-                    member.ty,
-                    Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp
-                );
                 let align = if is_struct || after_struct { "@align(16) " } else { "" };
-                let _ = writeln!(lines, "    {align}{}", self.member_line(member));
+                let _ = writeln!(lines, "    {align}{line}");
                 after_struct = is_struct;
             }
             self.out.push_str(&lines);
@@ -180,7 +188,8 @@ impl Emitter<'_> {
         }
     }
 
-    fn member_line(&self, member: &crate::compile::host::UniformMember) -> String {
+    /// The declaration of a member by this name.
+    pub(super) fn member_line(&self, member: &UniformMember, name: &str) -> String {
         let node = self
             .host_steps
             .iter()
@@ -191,7 +200,7 @@ impl Emitter<'_> {
         } else {
             self.type_name(&member.ty, node)
         };
-        format!("{}: {ty},", member.name)
+        format!("{name}: {ty},")
     }
 
     pub(super) fn image_name(&self, image: usize) -> String {

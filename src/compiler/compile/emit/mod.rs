@@ -11,11 +11,12 @@
 mod attributes;
 mod expression;
 mod frame;
+mod loops;
 mod nesting;
 mod parts;
 mod surface;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::rc::Rc;
@@ -169,6 +170,10 @@ pub(super) fn emit(
     emitter.write()
 }
 
+fn with_part(name: &str, part: Option<&str>) -> String {
+    part.map_or_else(|| name.to_owned(), |part| format!("{name} {part}"))
+}
+
 /// An expression longer than this makes the line that it stands in too long.
 const LONG_EXPRESSION: usize = 70;
 
@@ -182,7 +187,7 @@ struct Emitter<'a> {
     graph: &'a TypedGraph,
     special: &'a SpecializedGraph,
     options: &'a CompileOptions,
-    /// Calls of fragment rate, each after what it reads.
+    /// Calls of fragment rate, and loops, each after what it reads.
     calls: Vec<ValueId>,
     needs: Needs,
     names: Names,
@@ -198,6 +203,14 @@ struct Emitter<'a> {
     constants: Vec<(ValueId, String)>,
     /// By value: true for calls that stand inside the one that reads them.
     nested: Vec<bool>,
+    /// By value: the loop in whose body it is made.
+    loops_around: Vec<Option<usize>>,
+    /// Names of the counters of loops.
+    counters: HashMap<usize, String>,
+    /// Values that loops read, made once for all lights.
+    of_all_lights: HashSet<ValueId>,
+    /// Calls whose results are written into variables of their loops at once, with these.
+    assigned: HashMap<ValueId, ValueId>,
     host: HostProgram,
     host_steps: HashMap<ValueId, usize>,
     collected: CollectedItems,
@@ -227,6 +240,10 @@ impl<'a> Emitter<'a> {
             value_names: HashMap::new(),
             constants: Vec::new(),
             nested: Vec::new(),
+            loops_around: loops::loops_around(&special.values),
+            counters: HashMap::new(),
+            of_all_lights: special.loops.iter().flat_map(|l| l.shared.iter().copied()).collect(),
+            assigned: HashMap::new(),
             host: HostProgram::default(),
             host_steps: HashMap::new(),
             collected: CollectedItems::default(),
@@ -268,10 +285,19 @@ impl<'a> Emitter<'a> {
         self.collected = items.collect(&mut self.names, &self.functions);
         self.plan_host(&roots);
         self.name_constants();
+        self.plan_assignments();
         for id in self.calls.clone() {
+            if self.is_loop(id) || self.assigned.contains_key(&id) {
+                continue;
+            }
             let name = self.wanted_name(id);
             let name = self.names.give(&name);
             self.value_names.insert(id, name);
+        }
+        for (call, variable) in &self.assigned {
+            if let Some(name) = self.value_names.get(variable).cloned() {
+                self.value_names.insert(*call, name);
+            }
         }
         self.plan_nesting();
     }
@@ -283,7 +309,8 @@ impl<'a> Emitter<'a> {
         let mut stack: Vec<(ValueId, bool)> = roots.iter().rev().map(|&id| (id, false)).collect();
         while let Some((id, is_leaving)) = stack.pop() {
             if is_leaving {
-                if matches!(self.special.values[id].operation, Operation::Call { .. }) {
+                let operation = &self.special.values[id].operation;
+                if matches!(operation, Operation::Call { .. } | Operation::Loop { .. }) {
                     self.calls.push(id);
                 }
                 continue;
@@ -529,7 +556,13 @@ impl<'a> Emitter<'a> {
     fn is_short(&self, id: ValueId) -> bool {
         match &self.special.values[id].operation {
             Operation::Constant(value) => value.components().is_some_and(|c| c.len() == 1),
-            Operation::Param { .. } | Operation::Context(..) | Operation::Call { .. } => true,
+            Operation::Param { .. }
+            | Operation::Context(..)
+            | Operation::Call { .. }
+            | Operation::Loop { .. }
+            | Operation::LoopResult { .. }
+            | Operation::LoopVariable { .. }
+            | Operation::LoopField { .. } => true,
             Operation::Member { value, .. } => self.is_short(*value),
             Operation::Convert { .. } => self.is_host(id),
         }
@@ -590,25 +623,28 @@ impl<'a> Emitter<'a> {
             let step = self.host_step(id);
             let name = member_names.give(&self.wanted_name(id));
             self.value_names.insert(id, format!("look.{name}"));
-            let value = &self.special.values[id];
-            let path = &self.graph.nodes[value.node].path;
-            let origin = value
-                .part
-                .as_ref()
-                .map_or_else(|| path.to_string(), |part| format!("{path}.{part}"));
             self.host.members.push(UniformMember {
                 name,
-                ty: value.ty.clone(),
-                origin,
+                ty: self.special.values[id].ty.clone(),
+                origin: self.origin(id),
                 step,
                 offset: 0,
+                place: None,
             });
         }
+        self.plan_loops(&mut member_names);
         for (driver, &value) in self.graph.drivers.iter().zip(&self.special.drivers) {
             let step = self.host_step(value);
             self.host.drivers.push(HostDriver { wire: driver.wire.clone(), step });
         }
         self.host.key_order.clone_from(&self.graph.key_order);
+    }
+
+    /// The node that a value belongs to, and what of it.
+    fn origin(&self, id: ValueId) -> String {
+        let value = &self.special.values[id];
+        let path = &self.graph.nodes[value.node].path;
+        value.part.as_ref().map_or_else(|| path.to_string(), |part| format!("{path}.{part}"))
     }
 
     /// The step that computes a value on the host; operands first, with a stack of its own.
@@ -674,6 +710,13 @@ impl<'a> Emitter<'a> {
                     Err(_) => ProgramStep::Constant(crate::interp::Value::Float(0.0)),
                 }
             }
+            // Of fragment rate, as all that loops make.
+            Operation::Loop { .. }
+            | Operation::LoopResult { .. }
+            | Operation::LoopVariable { .. }
+            | Operation::LoopField { .. } => {
+                ProgramStep::Constant(crate::interp::Value::Float(0.0))
+            }
         }
     }
 
@@ -686,15 +729,10 @@ impl<'a> Emitter<'a> {
         }
         wanted.extend(self.roots().into_iter().filter_map(|root| self.struct_constant(root)));
         for id in wanted {
-            if let std::collections::hash_map::Entry::Vacant(entry) = self.value_names.entry(id) {
-                let value = &self.special.values[id];
-                let node = &self.graph.nodes[value.node];
-                let name = match &value.part {
-                    Some(part) => format!("{} {part}", node.name),
-                    None => node.name.clone(),
-                };
+            if !self.value_names.contains_key(&id) {
+                let name = self.name_without_light(id);
                 let name = self.names.give(&name);
-                entry.insert(name.clone());
+                self.value_names.insert(id, name.clone());
                 self.constants.push((id, name));
             }
         }
@@ -721,14 +759,27 @@ impl<'a> Emitter<'a> {
         }
         // Layers share their lights: a light goes by its own name, not by that of the first layer
         // that it lights.
-        let name = match &node.light {
-            Some(light) if node.def.special == Treatment::Light => light.as_str(),
+        match &node.light {
+            Some(light)
+                if node.def.special == Treatment::Light && self.loop_around(id).is_none() =>
+            {
+                with_part(light.as_str(), value.part.as_deref())
+            }
+            _ => self.name_without_light(id),
+        }
+    }
+
+    /// The name of a value's node, and its part.
+    fn name_without_light(&self, id: ValueId) -> String {
+        let value = &self.special.values[id];
+        let node = &self.graph.nodes[value.node];
+        let name = match &node.shared_name {
+            Some(shared) if self.loop_around(id).is_some() || self.of_all_lights.contains(&id) => {
+                shared
+            }
             _ => &node.name,
         };
-        match &value.part {
-            Some(part) => format!("{name} {part}"),
-            None => name.to_owned(),
-        }
+        with_part(name, value.part.as_deref())
     }
 
     fn write(mut self) -> EmittedModule {

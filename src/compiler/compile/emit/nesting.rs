@@ -25,7 +25,9 @@ impl Emitter<'_> {
         let count = self.special.values.len();
         let mut reads = vec![0_usize; count];
         for &call in &self.calls {
-            self.call_operands(call, false).into_iter().for_each(|id| reads[id] += 1);
+            // What a loop's variables become has lines of its own.
+            let count = if self.is_loop(call) { 2 } else { 1 };
+            self.call_operands(call, false).into_iter().for_each(|id| reads[id] += count);
         }
         for root in self.roots() {
             // What the look itself gives is no part of a call.
@@ -76,7 +78,9 @@ impl Emitter<'_> {
         let found = arguments.iter().enumerate().filter_map(|(index, argument)| {
             let Argument::Value(id) = argument else { return None };
             let inner = self.call_behind(*id).filter(|_| reads(index) == 1)?;
-            (region(inner) == region(call) && self.can_stand_inside(inner)).then_some(inner)
+            let is_near =
+                region(inner) == region(call) && self.loop_around(inner) == self.loop_around(call);
+            (is_near && self.can_stand_inside(inner)).then_some(inner)
         });
         found.collect()
     }
@@ -137,8 +141,8 @@ impl Emitter<'_> {
     }
 
     /// Writes a statement that comes from a node, and says which of its bytes came from which.
-    pub(super) fn write_value(&self, id: ValueId, marked: &str, body: &mut Body) {
-        body.text.push_str("    ");
+    pub(super) fn write_value(&self, id: ValueId, marked: &str, depth: usize, body: &mut Body) {
+        body.text.push_str(&"    ".repeat(depth));
         let own = body.spans.len();
         body.add_span(body.text.len(), self.path_of(id), 0);
         let mut open = vec![own];

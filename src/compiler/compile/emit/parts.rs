@@ -14,6 +14,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use super::loops::LoopBlock;
 use super::{Emitter, Span};
 use crate::compile::functions::{LINE, write_line};
 use crate::compile::specialize::{Operation, ValueId, operands};
@@ -94,10 +95,11 @@ impl Body {
     }
 }
 
-/// One `let` of a function.
+/// One `let` of a function, or a loop.
 enum Block {
     Call(ValueId),
     Part(ShaderFunction),
+    Loop(LoopBlock),
 }
 
 /// A function of its own.
@@ -159,7 +161,7 @@ impl Emitter<'_> {
                 self.expression(cutoff)
             );
         } else {
-            self.write_value(root, &format!("return {value};"), body);
+            self.write_value(root, &format!("return {value};"), 1, body);
         }
         body.text.push_str("}\n");
         self.value_names.extend(inherited);
@@ -169,7 +171,7 @@ impl Emitter<'_> {
         !self.needs.contexts.is_empty()
     }
 
-    fn reads_surface(&self, call: ValueId) -> bool {
+    pub(super) fn reads_surface(&self, call: ValueId) -> bool {
         let mut open: Vec<ValueId> = operands(&self.special.values[call].operation).collect();
         while let Some(id) = open.pop() {
             let value = &self.special.values[id];
@@ -195,6 +197,10 @@ impl Emitter<'_> {
             let part = match block {
                 Block::Call(call) => {
                     self.write_call(*call, body);
+                    continue;
+                }
+                Block::Loop(block) => {
+                    self.write_loop(block, body);
                     continue;
                 }
                 Block::Part(part) => part,
@@ -234,7 +240,7 @@ impl Emitter<'_> {
 
     fn write_call(&self, id: ValueId, body: &mut Body) {
         let name = self.value_names.get(&id).map_or("", String::as_str);
-        self.write_value(id, &format!("let {name} = {};", self.call(id).0), body);
+        self.write_value(id, &format!("let {name} = {};", self.call(id).0), 1, body);
     }
 
     /// Writes a part after the parts that it calls; their depth is the logarithm of the look's
@@ -290,8 +296,13 @@ impl Emitter<'_> {
 
     /// Blocks of `shade`: the look's calls, gathered into parts until the blocks are few.
     fn blocks(&mut self) -> Vec<Block> {
-        let calls = self.calls.iter().filter(|&&call| !self.is_nested(call));
-        let mut blocks: Vec<Block> = calls.map(|&call| Block::Call(call)).collect();
+        let is_outside = |call: &&ValueId| self.loop_around(**call).is_none();
+        let calls = self.calls.iter().filter(|&&call| !self.is_nested(call)).filter(is_outside);
+        let block = |&call: &ValueId| match self.loop_block(call) {
+            Some(block) => Block::Loop(block),
+            None => Block::Call(call),
+        };
+        let mut blocks: Vec<Block> = calls.map(block).collect();
         let count = blocks.len();
         while blocks.len() > SHORT {
             let before = blocks.len();
@@ -332,6 +343,7 @@ impl Emitter<'_> {
     fn loops(&self, call: ValueId) -> u64 {
         match &self.special.values[call].operation {
             Operation::Call { function, .. } => function.module.loops(&function.name),
+            Operation::Loop { .. } => 1,
             _ => 0,
         }
     }
@@ -381,6 +393,7 @@ impl Emitter<'_> {
             let reads_surface = inner.iter().any(|block| match block {
                 Block::Call(call) => self.reads_surface(*call),
                 Block::Part(part) => part.reads_surface,
+                Block::Loop(block) => self.loop_reads_surface(block),
             });
             let wanted = self.part_name(&inner);
             let name = self.names.give(&wanted);
@@ -420,16 +433,19 @@ impl Emitter<'_> {
         match block {
             Block::Call(call) => self.call_operands(*call, false),
             Block::Part(part) => part.inputs.clone(),
+            Block::Loop(block) => self.loop_needs(block),
         }
     }
 
-    /// The calls that a value reads, through members, conversions and calls that stand inside; the
-    /// value itself, if it is one and `or_itself`.
+    /// The calls and results of loops that a value reads, through members, conversions and calls
+    /// that stand inside; the value itself, if it is one and `or_itself`.
     pub(super) fn call_operands(&self, id: ValueId, or_itself: bool) -> Vec<ValueId> {
         let is_call = |id: ValueId| {
             let value = &self.special.values[id];
             let is_fragment = value.rate > Rate::Object && !self.is_nested(id);
-            is_fragment && matches!(value.operation, Operation::Call { .. })
+            let is_named =
+                matches!(value.operation, Operation::Call { .. } | Operation::LoopResult { .. });
+            is_fragment && is_named
         };
         if or_itself && is_call(id) {
             return vec![id];
@@ -485,6 +501,9 @@ impl Emitter<'_> {
             Block::Call(call) => {
                 self.graph.nodes[self.special.values[*call].node].region.as_deref()
             }
+            Block::Loop(block) => {
+                self.graph.nodes[self.special.values[block.value].node].region.as_deref()
+            }
             Block::Part(_) => None,
         }
     }
@@ -503,6 +522,7 @@ fn gives(block: &Block) -> &[ValueId] {
     match block {
         Block::Call(call) => std::slice::from_ref(call),
         Block::Part(part) => &part.outputs,
+        Block::Loop(block) => &block.results,
     }
 }
 

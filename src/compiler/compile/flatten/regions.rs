@@ -14,7 +14,7 @@ use crate::ids::{GROUP_OUTPUTS, LightId, NodeId, NodePath, PortName};
 use crate::library::{Fallback, Input, LightFeed, Output, Type};
 
 /// Index of a region among those of the look.
-pub(super) type RegionIndex = usize;
+pub type RegionIndex = usize;
 
 /// A group that runs for each light, at one place in the look.
 #[derive(Debug, Default)]
@@ -30,16 +30,18 @@ pub(super) struct Region {
 }
 
 /// A copy of a region.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RegionCopy {
-    pub(super) region: RegionIndex,
-    pub(super) copy: usize,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RegionCopy {
+    /// The region.
+    pub region: RegionIndex,
+    /// Counts the copies of the region from 0, in the order of their lights.
+    pub copy: usize,
 }
 
 /// Place of a node in a region.
 #[derive(Clone, Debug)]
 pub(super) struct RegionPlace {
-    pub(super) region: RegionIndex,
+    pub(super) copy: RegionCopy,
     /// Light that the copy is for; `None` where the set has none.
     pub(super) light: Option<LightId>,
 }
@@ -114,7 +116,7 @@ impl<'a> Flattener<'a> {
     pub(super) fn place_of(&self, scope: usize) -> Option<RegionPlace> {
         let copy = self.scopes[scope].copy?;
         let light = self.light_of(copy).map(|(id, _)| id.clone());
-        Some(RegionPlace { region: copy.region, light })
+        Some(RegionPlace { copy, light })
     }
 
     /// The node of another copy that is what a node is in the copy of its scope.
@@ -169,7 +171,12 @@ impl<'a> Flattener<'a> {
         }
         let (id, light) = self.light_of(at)?;
         let name = light.display_name(id).to_owned();
-        let asking = FlatNode { name, is_named: false, ..self.flat.nodes[asking].clone() };
+        let asking = FlatNode {
+            name,
+            shared_name: Some("light".to_owned()),
+            is_named: false,
+            ..self.flat.nodes[asking].clone()
+        };
         let [arriving, parts] =
             ["light", "light_parts"].map(|kind| self.library.nodes.get(kind).cloned());
         let (arriving, parts) = (arriving?, parts?);
@@ -221,8 +228,8 @@ impl<'a> Flattener<'a> {
         while let Some(node) = open.pop() {
             let flat = &self.flat.nodes[node];
             let Some(place) = &flat.place else { continue };
-            let is_own = place.region == region;
-            if !self.is_within(place.region, region)
+            let is_own = place.copy.region == region;
+            if !self.is_within(place.copy.region, region)
                 || (is_own && flat.def.joins_lights())
                 || !known.insert(node)
             {
