@@ -28,7 +28,7 @@ use chiaro_test_drawing::eval::{look, scene_of, shape};
 use chiaro_test_drawing::wait::block_on;
 use serde_json::{Value as Json, json};
 
-const COUNTS: [usize; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
+const COUNTS: [usize; 10] = [1, 2, 4, 8, 10, 16, 32, 64, 128, 256];
 const ROUNDS: usize = 15;
 
 /// Nodes of what comes of one light, and WGSL for it by hand: an expression of `n`, `light` and `i`.

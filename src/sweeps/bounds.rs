@@ -146,6 +146,12 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("normalize_vector", "").steps("a vector that is too short to have a direction gives 0"),
     on("light", "").steep("at the light itself it has no direction"),
     on("light_details", "").steep("at the light itself it has no direction"),
+    on("blocker", "").from(1e-2).within(30.0).together().bound(1e-3).steps(THROWN),
+    on("rod", "").within(1e3).together().steep(NARROW),
+    on("barn_doors", "").within(1e3).together().steps("behind a lamp angles leap"),
+    on("light_place", "").from(1e-2).within(1e3).together().bound(1e-4).steps(BEHIND),
+    on("distance_ramp", "").within(1e3).together().steep(NARROW),
+    on("decay", "").within(1e3).together().steep(POWER),
     on("fraction", "").together().steep(STEPS),
     on("modulo", "").within(1e15).together().steep(STEPS),
     on("rounding", "").steps(STEPS),
@@ -268,6 +274,8 @@ pub const EXCEPTIONS: &[Exception] = &[
 const POWER: &str = "far up a power, the exponent multiplies what the base was rounded by";
 const NARROW: &str = "a narrow edge is as steep as it is narrow, and an empty one a step";
 const FRAME: &str = "where normal and tangent are nearly the same, rounding turns the frame";
+const THROWN: &str = "a small shape far away multiplies what its way was rounded by";
+const BEHIND: &str = "behind a lamp there is no picture";
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";
 const STEPS: &str = "a step: rounding of the input decides on which side it is";

@@ -539,8 +539,7 @@ impl Builder<'_> {
     }
 
     fn light_word(&self) -> &str {
-        let is_light = self.def.special == Treatment::Light;
-        let word = self.case.choices.get("light").filter(|_| is_light);
+        let word = self.case.choices.get("light").filter(|_| self.def.has_light_types());
         word.map_or("directional", String::as_str)
     }
 }

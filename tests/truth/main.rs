@@ -10,6 +10,7 @@ mod handwritten;
 mod hard_cases;
 mod joined_lights;
 mod keys;
+mod light_filters;
 mod marks;
 mod nodes;
 mod pruned;

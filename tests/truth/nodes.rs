@@ -1247,6 +1247,16 @@ const ELSEWHERE: &[&str] = &[
     "mix_of_lights",
     "strongest_of_lights",
     "sum_of_lights",
+    // light_filters.rs
+    "barn_doors",
+    "blocker",
+    "combine_filters",
+    "decay",
+    "distance_ramp",
+    "gobo",
+    "light_filter",
+    "light_place",
+    "rod",
     // tests/sweeps/hcbtf_lookup.rs
     "constant_size",
     "dominant_light",

@@ -706,7 +706,7 @@ impl<'a> Typer<'a> {
         let def = &flat.def;
         let light_kind = light.map(|id| self.look.lights[id].kind.word());
         let fits = |variant: &NodeFunction| match (&variant.choice, def.special) {
-            (Some((_, word)), Treatment::Light) => light_kind == Some(word),
+            (Some((_, word)), _) if def.has_light_types() => light_kind == Some(word),
             (Some(_), Treatment::Output) => false,
             (Some((input, word)), _) => choices.get(input) == Some(word),
             (None, _) => true,

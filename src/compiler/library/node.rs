@@ -63,8 +63,11 @@ pub enum Treatment {
     None,
     /// Output node: the look's result.
     Output,
-    /// Light node: names a light; its variant is the light's type.
+    /// Light node: gives the light that it names; its variant is the light's type.
     Light,
+    /// Node that gives something else of the light that it names; its variant is the light's type,
+    /// too.
+    OfLight,
     /// Reroute: passes its input on.
     Reroute,
 }
@@ -277,6 +280,11 @@ impl NodeDef {
     /// True if the node joins what comes of many lights: it is fed with its own outputs.
     pub fn joins_lights(&self) -> bool {
         self.inputs.iter().any(|input| matches!(input.light_feed, Some(LightFeed::Before(_))))
+    }
+
+    /// True if the node's function is chosen by the type of the light that it names.
+    pub fn has_light_types(&self) -> bool {
+        matches!(self.special, Treatment::Light | Treatment::OfLight)
     }
 
     /// Tiers of the node, the exact one first: the tiers of its functions, and those of the

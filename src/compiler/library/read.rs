@@ -206,6 +206,9 @@ impl Reader<'_> {
                 (None, "output") => Treatment::Output,
                 (None, "light" | "light_details") => Treatment::Light,
                 (None, "reroute") => Treatment::Reroute,
+                (None, _) if suffix_of(&head.name, stem) == Some("directional") => {
+                    Treatment::OfLight
+                }
                 _ => Treatment::None,
             },
             module: module.clone(),
@@ -432,9 +435,7 @@ impl Reader<'_> {
         let mut choice = None;
         let mut width = None;
         let mut tier = Tier::Exact;
-        if node.special == Treatment::Light
-            || (node.special == Treatment::Output && !suffix.is_empty())
-        {
+        if node.has_light_types() || (node.special == Treatment::Output && !suffix.is_empty()) {
             // A light's type and the Output's second function are no choices that a document makes.
             return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
         }

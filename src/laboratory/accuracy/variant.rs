@@ -5,7 +5,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier};
 use crate::frame::{FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
-use crate::library::{GroupPorts, Library, NodeDef};
+use crate::library::{GroupPorts, Library, NodeDef, Treatment};
 
 /// The change that a variant makes to a setup.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -160,7 +160,7 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
             let ports = GroupPorts::of(definition, &look.definitions, library);
             (ports.inputs, ports.outputs)
         }
-        (None, Some(def)) if def.special == crate::library::Treatment::None => {
+        (None, Some(def)) if matches!(def.special, Treatment::None | Treatment::OfLight) => {
             (def.inputs.clone(), def.outputs.clone())
         }
         _ => return false,

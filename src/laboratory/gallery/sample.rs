@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use crate::catalog::{Catalog, NodeKind, Port};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
+use crate::document::{Endpoint, Light, LightKind, LightSpace, Look, Node, Value, Values, Wire};
 use crate::examples;
 use crate::frame::{
     Assets, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup,
@@ -49,6 +49,14 @@ fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Lo
     for (id, direction) in lights {
         build.look.lights.insert(id.into(), Light { direction, ..Light::default() });
     }
+    let lamp = Light {
+        kind: LightKind::Spot,
+        position: [-1.5, 1.5, 2.4],
+        aim: [1.5, -1.5, -2.4],
+        space: LightSpace::World,
+        ..Light::default()
+    };
+    build.look.lights.insert("lamp".into(), lamp);
     build.add(NODE, &kind.id, showing.values);
     for (port, source) in &showing.feed {
         build.make(source);
