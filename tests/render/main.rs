@@ -13,6 +13,7 @@ mod long_graphs;
 mod looped_lights;
 mod mute;
 mod node_code;
+mod object_lights;
 mod probe;
 mod property_looks;
 mod prune;

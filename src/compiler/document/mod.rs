@@ -42,9 +42,9 @@ pub use hcbtf::{
 };
 pub use image::JournalDocument;
 pub use light::{
-    GroupMaster, Light, LightField, LightInput, LightKind, LightLink, LightQuantity, LightSet,
-    LightSetError, LightSpace, LightValues, LinkRule, MAX_EXPOSURE, MAX_INTENSITY, MAX_LIGHT_COLOR,
-    MIN_LIGHT_DISTANCE, SetTerm,
+    GroupMaster, Light, LightField, LightFrames, LightInput, LightKind, LightLink, LightOut,
+    LightQuantity, LightSet, LightSetError, LightSpace, LightValues, LinkRule, MAX_EXPOSURE,
+    MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, ObjectFrame, SetTerm,
 };
 pub use look::*;
 pub use read::Document;

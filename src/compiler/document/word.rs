@@ -56,6 +56,8 @@ words!(LightSpace {
     Illumination "illumination" "the illumination frame, which turns all its lights together",
     World "world" "the world",
     Camera "camera" "the camera: x right, y up, z toward the viewer",
+    Object "object" "each object that wears the look, for itself: from the middle of its box, with \
+        its axes, in the scene's unit",
 });
 words!(KeyScheme {
     Biharmonic "biharmonic" "the sphere's biharmonic functions in closed form",

@@ -51,7 +51,7 @@ pub(super) fn of(
         .shining()
         .map(|(_, light)| {
             let [r, g, b] = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
-            (resolved(light, &session.view.orbit), Color32::from_rgb(r, g, b))
+            (resolved(light, session), Color32::from_rgb(r, g, b))
         })
         .collect();
     let directional: Vec<bool> =

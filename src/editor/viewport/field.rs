@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
-use glam::{DQuat, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 
 use super::layer::{SelectedLayer, ShadingType};
 use super::surface::Surface;
 use crate::compile::LightValues;
-use crate::document::{Light, LightKind};
+use crate::document::{Light, LightFrames, LightKind};
+use crate::state::session::Session;
 
 /// Angle of a pixel that shows no surface.
 const NOTHING: f32 = f32::NAN;
@@ -35,8 +36,9 @@ impl LightPlace {
 }
 
 /// Values of a light in a view.
-pub(super) fn light_values(light: &Light, illumination: DQuat, surface: &Surface) -> LightValues {
-    LightValues::new(light, illumination, surface.camera_from_world())
+pub(super) fn light_values(light: &Light, session: &Session, surface: &Surface) -> LightValues {
+    let camera_from_world = surface.camera_from_world();
+    LightValues::new(light, &LightFrames { camera_from_world, ..session.keys().light_frames() })
 }
 
 impl Field {

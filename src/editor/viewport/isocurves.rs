@@ -89,7 +89,7 @@ impl Isocurves {
         layer: &SelectedLayer,
     ) {
         let Some(light) = session.keys().light(&layer.light) else { return self.clear() };
-        let light = light_values(light, session.view.orbit.illumination, surface);
+        let light = light_values(light, session, surface);
         let is_same_surface =
             self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
         let same = |made: &&IsocurveInputs| is_same_surface && made.light == light;

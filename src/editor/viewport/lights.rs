@@ -11,7 +11,7 @@
 
 use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::field::direction_at;
 use super::layer::ShadingType;
@@ -83,13 +83,8 @@ impl HeldLight {
 }
 
 /// Values of a light at the present place of the camera.
-pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
-    let (right, up) = orbit.right_and_up();
-    LightValues::new(
-        light,
-        orbit.illumination,
-        DMat3::from_cols(right, up, orbit.direction()).transpose(),
-    )
+pub(super) fn resolved(light: &Light, session: &Session) -> LightValues {
+    LightValues::new(light, &session.keys().light_frames())
 }
 
 /// Light whose needle ends under the pointer.
@@ -97,7 +92,7 @@ pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> 
     let lights = session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let (center, radius) = sphere_of_lights(session.open_scene());
     let ends = lights.filter_map(|(id, light)| {
-        let toward = resolved(light, &session.view.orbit).direction();
+        let toward = resolved(light, session).direction();
         let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
         let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         Some((distance, is_behind, id))
@@ -116,7 +111,7 @@ pub(super) fn drag(
     at: Pos2,
 ) -> Option<Command> {
     let light = session.keys().light(&held.light)?;
-    let values = resolved(light, &session.view.orbit);
+    let values = resolved(light, session);
     let (toward, place) = match &mut held.grip {
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
         Grip::Needle { is_behind, is_outside } => {
@@ -135,6 +130,7 @@ pub(super) fn drag(
             (toward, DVec3::ZERO)
         }
     };
+    let own = |place: DVec3| values.own_from_world * (place - values.own_origin);
     let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
     let (field, old, new) = match light.kind {
         LightKind::Directional => {
@@ -142,7 +138,7 @@ pub(super) fn drag(
         }
         LightKind::Point | LightKind::Spot => {
             let distance = values.position().distance(place);
-            ("position", light.position, short(values.own_from_world * (place + toward * distance)))
+            ("position", light.position, short(own(place + toward * distance)))
         }
     };
     let set = || set_light_at(session, &held.light, field, Value::Vector(new.to_vec()));
@@ -229,7 +225,7 @@ pub(super) fn paint_needles(
     for (id, light) in
         session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional)
     {
-        let toward = resolved(light, &session.view.orbit).direction();
+        let toward = resolved(light, session).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
         let [Some(from), Some(to)] = ends else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);

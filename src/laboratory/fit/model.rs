@@ -18,7 +18,7 @@ use super::state::KnobSetting;
 use super::target::PixelGoal;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
-use crate::document::{Light, Values};
+use crate::document::{Light, ObjectFrame, Values};
 use crate::frame::{
     Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, Setup, Wires,
 };
@@ -48,6 +48,7 @@ struct FitDraw {
     object: (usize, DVec3),
     /// Front of the object, and distances of other objects.
     front: DVec3,
+    turn: DQuat,
     near: IndexMap<ObjectId, f64>,
     shader: Arc<CompiledShader>,
     table: ParamTable,
@@ -115,6 +116,7 @@ impl Model {
                 draw: number,
                 object: (index, object.center()),
                 front: object.world_from_object.transform_vector3(DVec3::Z),
+                turn: ObjectFrame::new(DVec3::ZERO, object.world_from_object).turn,
                 near: setup.others_of(object),
                 shader: draw.look.clone(),
                 ids: knobs.iter().map(ids).collect(),
@@ -251,6 +253,7 @@ impl Model {
             center,
             distance: plan.view.eye.distance(center),
             front: part.front,
+            turn: part.turn,
             near: &part.near,
             exposed: &part.exposed,
             lights: &lights,

@@ -31,7 +31,7 @@
 //!
 //! A surrounding that is a light's field is in the light's own frame turned into the world: the
 //! illumination frame (a rotation of the host's choice, the same for all lights in it), the world,
-//! or the camera. A parameter whose target is `lights.key.direction` sets that field before the
+//! the camera, or the object (turned like it, from the middle of its box). A parameter whose target is `lights.key.direction` sets that field before the
 //! steps run.
 //!
 //! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step

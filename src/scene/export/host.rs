@@ -2,14 +2,13 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use glam::{DMat3, DQuat};
+use glam::DMat3;
 use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::modules::Host;
 use crate::compile::{HostInputs, HostStep, LightValues, ParamId};
-use crate::document::Light;
 use crate::ids::LightId;
 use crate::interp;
 use crate::library::{Context, ContextSource};
@@ -234,8 +233,7 @@ impl MemberDescription {
 /// The members' values with every parameter at its default.
 fn defaults(host: &Host) -> Vec<interp::Value> {
     let lights: IndexMap<LightId, LightValues> =
-        [(LightId::new(""), LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY))]
-            .into();
+        [(LightId::new(""), LightValues::default())].into();
     let inputs = HostInputs {
         params: &HashMap::new(),
         lights: &lights,

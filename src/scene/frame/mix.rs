@@ -9,8 +9,8 @@ use indexmap::IndexMap;
 use super::links::{idle_terms, located};
 use super::setup::Setup;
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightSet, LightValues, MAX_INTENSITY};
-use crate::ids::{LightGroup, LightId};
+use crate::document::{Light, LightOut, LightValues, MAX_INTENSITY};
+use crate::ids::LightId;
 
 /// Code of the warning that lights shine alone.
 pub const SOLOED: &str = "soloed-lights";
@@ -63,25 +63,22 @@ impl Setup {
             return mix;
         }
         let lights = self.all_lights();
-        let of = |set: &LightSet| set.of(&lights, &BTreeSet::new());
-        let (out, alone) = (of(muted), of(soloed));
+        let out = scene.lights_out(&lights);
         for (id, light) in &lights {
-            let why = match (alone.contains(id), alone.is_empty()) {
-                (true, _) => None,
-                (false, false) => Some(format!("`soloed` (`{}`) has it not", soloed.text())),
-                (false, true) => {
-                    out.contains(id).then(|| format!("`muted` (`{}`) has it", muted.text()))
-                }
-            };
-            let masters = || light.groups.iter().filter_map(|id| Some((id, master(self, id)?)));
-            let zero = || masters().find(|(_, (factor, _))| *factor == 0.0);
-            let why = why.or_else(|| Some(format!("the master of its group `{}` is 0", zero()?.0)));
+            let why = out.get(id).map(|out| match out {
+                LightOut::NotSoloed => format!("`soloed` (`{}`) has it not", soloed.text()),
+                LightOut::Muted => format!("`muted` (`{}`) has it", muted.text()),
+                LightOut::ByMaster(group) => format!("the master of its group `{group}` is 0"),
+            });
+            let mut masters =
+                light.groups.iter().filter_map(|group| scene.light_groups.get(group)).peekable();
             if let Some(why) = why {
                 mix.out.insert(id.clone(), why.into());
-            } else if masters().next().is_some() {
-                let product = masters().fold((1.0, [1.0; 3]), |(factor, tint), (_, master)| {
-                    let tint = std::array::from_fn(|channel| tint[channel] * master.1[channel]);
-                    ((factor * master.0).min(MAX_INTENSITY), tint)
+            } else if masters.peek().is_some() {
+                let product = masters.fold((1.0, [1.0; 3]), |(factor, tint), master| {
+                    let (own, own_tint) = master.factors();
+                    let tint = std::array::from_fn(|channel| tint[channel] * own_tint[channel]);
+                    ((factor * own).min(MAX_INTENSITY), tint)
                 });
                 mix.factors.insert(id.clone(), product);
             }
@@ -121,9 +118,4 @@ impl Setup {
         }
         warnings
     }
-}
-
-/// Factors of a group's master, if the scene has one.
-fn master(setup: &Setup, group: &LightGroup) -> Option<(f64, [f64; 3])> {
-    setup.scene.light_groups.get(group).map(|master| master.factors())
 }

@@ -376,6 +376,7 @@ impl<'a> Packer<'a> {
             center: sample.position,
             distance: sample.distance,
             front: sample.front,
+            turn: DQuat::IDENTITY,
             near: &sample.near,
             exposed: &sample.values,
             lights: &lights,

@@ -16,7 +16,7 @@ use super::camera::View;
 use super::coverage::clip_corners;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{Light, LightField, LightKind, Look, Target};
+use crate::document::{Light, LightField, LightFrames, LightKind, Look, ObjectFrame, Target};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
@@ -122,12 +122,16 @@ pub(super) fn dark_lights(
     setup: &Setup,
     look: &Look,
     lights: &IndexMap<LightId, Light>,
-    placed: &ObjectPlacement,
+    (placed, object): (&ObjectPlacement, &SetupObject),
     view: &View,
     unlit: &IndexMap<LightId, Cow<'static, str>>,
 ) -> Vec<((LightId, LightField), Cow<'static, str>)> {
     let moved = moved_lights(look);
-    let illumination = DQuat::from_array(setup.scene.illumination).normalize();
+    let frames = LightFrames {
+        illumination: DQuat::from_array(setup.scene.illumination).normalize(),
+        camera_from_world: view.rotation(),
+        object: ObjectFrame::new(placed.center, object.world_from_object),
+    };
     let mut dark = Vec::new();
     for (id, own) in &look.lights {
         if let Some(reason) = unlit.get(id) {
@@ -138,7 +142,7 @@ pub(super) fn dark_lights(
             continue;
         }
         let light = lights.get(id).unwrap_or(own);
-        let values = LightValues::new(light, illumination, view.rotation());
+        let values = LightValues::new(light, &frames);
         if values.color() == DVec3::ZERO {
             dark.push(((id.clone(), LightField::Color), "it is black".into()));
         }

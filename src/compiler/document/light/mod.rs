@@ -9,6 +9,7 @@ mod field;
 mod input;
 mod link;
 mod master;
+mod mix;
 mod set;
 mod values;
 
@@ -26,8 +27,11 @@ pub use field::LightQuantity;
 pub use input::LightInput;
 pub use link::{LightLink, LinkRule};
 pub use master::{GroupMaster, MAX_EXPOSURE};
+pub use mix::LightOut;
 pub use set::{LightSet, LightSetError, SetTerm};
-pub use values::{LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE};
+pub use values::{
+    LightFrames, LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, ObjectFrame,
+};
 
 const ANY: &[LightKind] = &[Directional, Point, Spot];
 const PLACED: &[LightKind] = &[Point, Spot];
@@ -218,4 +222,7 @@ pub enum LightSpace {
     World,
     /// Camera frame: x right, y up, z toward the viewer.
     Camera,
+    /// Frame of the object that is lit: it goes along with each object, for that object alone. Its
+    /// origin is the middle of the object's box, its axes are the object's, its unit is the scene's.
+    Object,
 }

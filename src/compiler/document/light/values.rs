@@ -1,6 +1,6 @@
 //! Lights as shaders take them: in world space, and within bounds that an f32 holds.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
 use super::{Light, LightField, LightKind, LightQuantity, LightSpace};
 
@@ -26,28 +26,72 @@ pub struct LightValues {
     pub own_direction: DVec3,
     /// Rotation from world space to the light's own frame.
     pub own_from_world: DMat3,
+    /// Origin of the light's own frame, in world space.
+    pub own_origin: DVec3,
     /// Cosines of the inner and outer half-angles of a spot light's cone.
     pub cone: [f64; 2],
     /// The kind of light.
     pub kind: LightKind,
 }
 
+/// Place and turn of an object that is lit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ObjectFrame {
+    /// Middle of the object's box, in world space.
+    pub center: DVec3,
+    /// Rotation from the object's axes to world space.
+    pub turn: DQuat,
+}
+
+impl ObjectFrame {
+    /// The frame of an object by its matrix, which may scale, skew and mirror; its axes are then
+    /// the nearest at right angles.
+    pub fn new(center: DVec3, world_from_object: DMat4) -> Self {
+        let axis = |column: DVec3| column.try_normalize();
+        let [x, y] = [world_from_object.x_axis, world_from_object.y_axis].map(DVec4::truncate);
+        let turn = axis(x).and_then(|x| {
+            let y = axis(y - x * x.dot(y))?;
+            Some(DQuat::from_mat3(&DMat3::from_cols(x, y, x.cross(y))).normalize())
+        });
+        Self { center, turn: turn.unwrap_or_default() }
+    }
+}
+
+/// Frames that lights are given in.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightFrames {
+    /// Rotation from the illumination frame to world space.
+    pub illumination: DQuat,
+    /// Rotation from world space to camera axes.
+    pub camera_from_world: DMat3,
+    /// The object that is lit.
+    pub object: ObjectFrame,
+}
+
+impl LightFrames {
+    /// Rotation from a light's own frame to world space, and the place of that frame's origin.
+    fn world_from(&self, space: LightSpace) -> (DMat3, DVec3) {
+        match space {
+            LightSpace::Illumination => (DMat3::from_quat(self.illumination), DVec3::ZERO),
+            LightSpace::World => (DMat3::IDENTITY, DVec3::ZERO),
+            LightSpace::Camera => (self.camera_from_world.transpose(), DVec3::ZERO),
+            LightSpace::Object => (DMat3::from_quat(self.object.turn), self.object.center),
+        }
+    }
+}
+
 impl LightValues {
-    /// Resolves `light` under the illumination frame (world from illumination) and the camera
-    /// (camera from world).
-    pub fn new(light: &Light, illumination: DQuat, camera_from_world: DMat3) -> Self {
-        let world_from_own = match light.space {
-            LightSpace::Illumination => DMat3::from_quat(illumination),
-            LightSpace::World => DMat3::IDENTITY,
-            LightSpace::Camera => camera_from_world.transpose(),
-        };
+    /// Resolves `light` in its frame.
+    pub fn new(light: &Light, frames: &LightFrames) -> Self {
+        let (world_from_own, origin) = frames.world_from(light.space);
         let mut world = light.clone();
         for field in LightField::ALL {
-            resolve(field.quantity(), field.numbers_mut(&mut world), world_from_own);
+            resolve(field.quantity(), field.numbers_mut(&mut world), (world_from_own, origin));
         }
         Self {
             own_direction: unit(&light.direction),
             own_from_world: world_from_own.transpose(),
+            own_origin: origin,
             cone: [world.inner.clamp(0.0, world.outer).cos(), world.outer.cos()],
             kind: light.kind,
             world,
@@ -97,7 +141,7 @@ impl LightValues {
             *channel *= tint;
         }
         for field in [LightField::Color, LightField::Intensity] {
-            resolve(field.quantity(), field.numbers_mut(&mut self.world), DMat3::IDENTITY);
+            resolve(field.quantity(), field.numbers_mut(&mut self.world), Default::default());
         }
     }
 
@@ -119,7 +163,7 @@ impl LightValues {
 
 impl Default for LightValues {
     fn default() -> Self {
-        Self::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY)
+        Self::new(&Light::default(), &LightFrames::default())
     }
 }
 
@@ -129,13 +173,13 @@ fn unit(direction: &[f64]) -> DVec3 {
 
 /// Converts the numbers of a light's field to world space and to the bounds of shaders. A factor,
 /// an angle or a distance that is NaN counts as 0.
-fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) {
+fn resolve(quantity: LightQuantity, numbers: &mut [f64], (world_from_own, origin): (DMat3, DVec3)) {
     match quantity {
         LightQuantity::Direction => {
             (world_from_own * unit(numbers)).write_to_slice(numbers);
         }
         LightQuantity::Position => {
-            (world_from_own * DVec3::from_slice(numbers)).write_to_slice(numbers);
+            (origin + world_from_own * DVec3::from_slice(numbers)).write_to_slice(numbers);
         }
         LightQuantity::Color => numbers.iter_mut().for_each(|x| {
             *x = if x.is_nan() { 0.0 } else { x.clamp(-MAX_LIGHT_COLOR, MAX_LIGHT_COLOR) };
@@ -164,7 +208,7 @@ mod tests {
     fn distances_of_lights_mean_the_same_in_f32_and_f64() {
         let fading = |half_distance, range| {
             let light = Light { half_distance, range, ..Light::default() };
-            let world = LightValues::new(&light, DQuat::IDENTITY, DMat3::IDENTITY).world;
+            let world = LightValues::new(&light, &LightFrames::default()).world;
             [world.half_distance, world.range]
         };
         for tiny in [1e-300, f64::MIN_POSITIVE, 5e-324, 1e-40, f64::from(f32::MIN_POSITIVE)] {

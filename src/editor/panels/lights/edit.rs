@@ -201,11 +201,17 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
         LightSpace::Illumination => "Illumination frame",
         LightSpace::World => "World",
         LightSpace::Camera => "Camera",
+        LightSpace::Object => "Object",
     };
     let before = light.space;
     let combo =
         ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
-            for space in [LightSpace::Illumination, LightSpace::World, LightSpace::Camera] {
+            for space in [
+                LightSpace::Illumination,
+                LightSpace::World,
+                LightSpace::Camera,
+                LightSpace::Object,
+            ] {
                 ui.selectable_value(&mut light.space, space, name(space));
             }
         });

@@ -7,7 +7,7 @@ use indexmap::IndexMap;
 
 use crate::commands::{Command, SceneCommand};
 use crate::document::{
-    ColorSpace, GroupMaster, Light, LightSet, MAX_EXPOSURE, Scene, SceneEdit, SetTerm,
+    ColorSpace, GroupMaster, Light, LightOut, LightSet, MAX_EXPOSURE, Scene, SceneEdit, SetTerm,
 };
 use crate::ids::{LightGroup, LightId};
 use crate::state::session::Session;
@@ -15,31 +15,58 @@ use crate::widgets::color;
 use crate::widgets::rows::{Icon, icon};
 use crate::widgets::theme;
 
-/// Lights of an open scene, as its mixer knows them.
-pub(super) struct Mixer<'s> {
-    scene: &'s Scene,
+/// Lights of an open scene, as its mixer knows them; made anew where the scene or its looks change.
+#[derive(Debug, Default)]
+pub(super) struct MixedLights {
     /// The scene's lights, then those that its looks have besides.
     lights: IndexMap<LightId, Light>,
+    /// Lights that are out by the scene's mutes, solos and masters.
+    out: IndexMap<LightId, LightOut>,
+}
+
+impl MixedLights {
+    /// Lights of a scene and those of its looks.
+    pub(super) fn of<'l>(
+        scene: &Scene,
+        of_looks: impl Iterator<Item = (&'l LightId, &'l Light)>,
+    ) -> Self {
+        let mut lights = scene.lights.clone();
+        for (id, light) in of_looks {
+            lights.entry(id.clone()).or_insert_with(|| light.clone());
+        }
+        let out = scene.lights_out(&lights);
+        Self { lights, out }
+    }
+
+    /// What puts a light out, in words; `None` where it shines.
+    pub(super) fn told(&self, id: &LightId) -> Option<String> {
+        Some(match self.out.get(id)? {
+            LightOut::NotSoloed => "Out in the scene: other lights are soloed".to_owned(),
+            LightOut::Muted => "Out in the scene: it is muted".to_owned(),
+            LightOut::ByMaster(group) => {
+                format!("Out in the scene: the master of its group {group} is 0")
+            }
+        })
+    }
+}
+
+/// The mixer of an open scene.
+pub(super) struct Mixer<'s> {
+    scene: &'s Scene,
+    mixed: &'s MixedLights,
     space: ColorSpace,
 }
 
 impl<'s> Mixer<'s> {
-    /// The mixer of the open scene, if one is open. `of_looks` are the lights of its looks.
-    pub(super) fn of(
-        session: &'s Session,
-        of_looks: impl Iterator<Item = (LightId, Light)>,
-    ) -> Option<Self> {
+    /// The mixer of the open scene, if one is open.
+    pub(super) fn of(session: &'s Session, mixed: &'s MixedLights) -> Option<Self> {
         let scene = session.open_scene()?.scene();
-        let mut lights = scene.lights.clone();
-        for (id, light) in of_looks {
-            lights.entry(id).or_insert(light);
-        }
-        Some(Self { scene, lights, space: session.look().color_space })
+        Some(Self { scene, mixed, space: session.look().color_space })
     }
 
     /// Groups that lights are of, or that have a master.
     fn groups(&self) -> Vec<&LightGroup> {
-        let of_lights = self.lights.values().flat_map(|light| &light.groups);
+        let of_lights = self.mixed.lights.values().flat_map(|light| &light.groups);
         let all: BTreeSet<&LightGroup> = of_lights.chain(self.scene.light_groups.keys()).collect();
         all.into_iter().collect()
     }
@@ -151,32 +178,26 @@ impl<'s> Mixer<'s> {
     }
 
     fn lights_of(&self, term: &SetTerm) -> BTreeSet<LightId> {
-        LightSet::none().with(term).of(&self.lights, &BTreeSet::new())
+        LightSet::none().with(term).of(&self.mixed.lights, &BTreeSet::new())
     }
 
     /// True if all lights of a term are of a set.
     fn has(&self, set: &LightSet, term: &SetTerm) -> bool {
         let lights = self.lights_of(term);
-        !lights.is_empty() && lights.is_subset(&set.of(&self.lights, &BTreeSet::new()))
+        !lights.is_empty() && lights.is_subset(&set.of(&self.mixed.lights, &BTreeSet::new()))
     }
 
     fn toggled(&self, set: &LightSet, term: &SetTerm) -> LightSet {
-        if self.has(set, term) { set.without(term, &self.lights) } else { set.with(term) }
+        if self.has(set, term) { set.without(term, &self.mixed.lights) } else { set.with(term) }
     }
 
     /// True if any light of a term shines.
     fn shines(&self, term: &SetTerm) -> bool {
-        let lights = self.lights_of(term);
-        let of = |set: &LightSet| set.of(&self.lights, &BTreeSet::new());
-        let (muted, soloed) = (of(&self.scene.muted), of(&self.scene.soloed));
-        let shines = |id: &LightId| {
-            if soloed.is_empty() { !muted.contains(id) } else { soloed.contains(id) }
-        };
-        lights.iter().any(shines)
+        self.lights_of(term).iter().any(|id| !self.mixed.out.contains_key(id))
     }
 
     fn told(&self, lights: &BTreeSet<LightId>) -> String {
-        let names = lights.iter().map(|id| self.lights[id].display_name(id));
+        let names = lights.iter().map(|id| self.mixed.lights[id].display_name(id));
         let names: Vec<&str> = names.collect();
         if names.is_empty() { "No light is of this group".to_owned() } else { names.join(", ") }
     }

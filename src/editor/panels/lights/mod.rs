@@ -29,7 +29,7 @@ use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 pub(crate) use edit::edit;
-use mixer::Mixer;
+use mixer::{MixedLights, Mixer};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
@@ -50,6 +50,7 @@ pub(crate) struct Lights {
     users: HashMap<LightId, usize>,
     /// Lights of looks that lights of the scene can stand in for; empty without a scene.
     shared: IndexMap<LightId, SharedLight>,
+    mixed: MixedLights,
     of: Option<(DocumentNumber, LookRevision, Option<PictureRevision>)>,
 }
 
@@ -85,9 +86,8 @@ impl Lights {
     }
 
     /// The mixer of the open scene.
-    fn mixer<'s>(&self, session: &'s Session) -> Option<Mixer<'s>> {
-        let of_looks = self.shared.iter().map(|(id, shared)| (id.clone(), shared.light.clone()));
-        Mixer::of(session, of_looks)
+    fn mixer<'s>(&'s self, session: &'s Session) -> Option<Mixer<'s>> {
+        Mixer::of(session, &self.mixed)
     }
 
     fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
@@ -118,6 +118,10 @@ impl Lights {
         self.of = Some(of);
         self.shared =
             if session.open_scene().is_some() { lights_of_looks(session) } else { IndexMap::new() };
+        self.mixed = session.open_scene().map_or_else(MixedLights::default, |open| {
+            let of_looks = self.shared.iter().map(|(id, shared)| (id, &shared.light));
+            MixedLights::of(open.scene(), of_looks)
+        });
         self.users.clear();
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
@@ -177,7 +181,9 @@ impl Lights {
             intensity(ui, session, owned_light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
-                self.title(ui, owned_light, solo.is_dark(owned_light.id), is_replaced, out);
+                let here = solo.is_dark(owned_light.id).then(|| "Out in this window".to_owned());
+                let why_dark = here.or_else(|| self.mixed.told(owned_light.id));
+                self.title(ui, owned_light, why_dark, is_replaced, out);
             });
         });
     }
@@ -229,7 +235,7 @@ impl Lights {
         &mut self,
         ui: &mut Ui,
         owned_light: &OwnedLight<'_>,
-        is_dark: bool,
+        why_dark: Option<String>,
         is_replaced: bool,
         out: &mut Vec<Command>,
     ) {
@@ -250,6 +256,7 @@ impl Lights {
             }
             return;
         }
+        let is_dark = why_dark.is_some();
         let color = if is_dark || is_replaced { theme::of(ui).dim } else { theme::of(ui).text };
         let text = RichText::new(owned_light.name()).strong().color(color);
         let text = if is_dark { text.strikethrough() } else { text };
@@ -257,7 +264,8 @@ impl Lights {
         if response.double_clicked() {
             self.rename(owned_light);
         }
-        response.on_hover_text("Double click to rename");
+        let why = why_dark.map_or_else(String::new, |why| format!("{why}.\n"));
+        response.on_hover_text(format!("{why}Double click to rename"));
     }
 
     fn rename(&mut self, owned_light: &OwnedLight<'_>) {

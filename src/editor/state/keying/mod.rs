@@ -17,7 +17,8 @@ use indexmap::IndexMap;
 
 use crate::compile::{CompiledShader, TypedGraph};
 use crate::document::{
-    DirectionKeys, KeyDirection, Light, LightKind, Object, Scene, Target, Value, Values,
+    DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightValues, Object, ObjectFrame,
+    Scene, Target, Value, Values,
 };
 use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
@@ -156,6 +157,7 @@ impl<'a> KeyedLook<'a> {
             center: DVec3::ZERO,
             distance: eye_of(&self.view.orbit).distance(own_place),
             front,
+            turn: self.light_frames().object.turn,
             near: &near,
             exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
@@ -164,6 +166,37 @@ impl<'a> KeyedLook<'a> {
             frame: (self.view.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
             object_id: own.map_or(0.0, |(own, _)| place_of(scene, own)),
         })
+    }
+
+    /// Frames that lights are given in, for the object that stands for all that wear the look.
+    pub(crate) fn light_frames(self) -> LightFrames {
+        let own = self.own_object().map(|(_, object)| &object.transform);
+        let object = own.map_or_else(ObjectFrame::default, |transform| {
+            let turn = DQuat::from_array(transform.rotate);
+            let is_turn = turn.length_squared() > 1e-18;
+            ObjectFrame {
+                center: transform.translate.into(),
+                turn: if is_turn { turn.normalize() } else { DQuat::IDENTITY },
+            }
+        });
+        LightFrames {
+            illumination: self.view.orbit.illumination,
+            camera_from_world: camera_from_world(&self.view.orbit),
+            object,
+        }
+    }
+
+    /// Direction toward a light from the object, in camera axes.
+    fn toward_light(self, light: &Light) -> DVec3 {
+        let frames = self.light_frames();
+        let resolved = LightValues::new(light, &frames);
+        let toward = match light.kind {
+            LightKind::Directional => resolved.direction(),
+            LightKind::Point | LightKind::Spot => {
+                resolved.position().try_normalize().unwrap_or(DVec3::Z)
+            }
+        };
+        frames.camera_from_world * toward
     }
 
     /// Present values of keys.
@@ -219,7 +252,7 @@ impl<'a> KeyedLook<'a> {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view.orbit),
             KeyDirection::Light(id) => {
-                self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view.orbit))
+                self.light(id).map_or(DVec3::Z, |light| self.toward_light(light))
             }
             KeyDirection::Drivers(drivers) => {
                 let mut values = [0.0; 3];
@@ -237,19 +270,6 @@ impl<'a> KeyedLook<'a> {
 fn place_of(scene: Option<&Scene>, own: &ObjectId) -> f64 {
     let index = scene.and_then(|scene| scene.objects.get_index_of(own));
     index.unwrap_or_default() as f64
-}
-
-/// Direction toward a light from the object, in camera axes.
-pub(crate) fn light_in_camera(light: &Light, view: &Orbit) -> DVec3 {
-    let camera = camera_from_world(view);
-    let resolved = crate::compile::LightValues::new(light, view.illumination, camera);
-    let toward = match light.kind {
-        LightKind::Directional => resolved.direction(),
-        LightKind::Point | LightKind::Spot => {
-            resolved.position().try_normalize().unwrap_or(DVec3::Z)
-        }
-    };
-    camera * toward
 }
 
 /// Rotation from world to camera axes: x right, y up, z toward the viewer.

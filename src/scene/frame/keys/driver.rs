@@ -55,7 +55,7 @@ pub fn driver_value(
 
 /// The unit direction from the object's center toward a light, in world space.
 pub(super) fn toward_light(light: &Light, inputs: &RigInputs<'_>) -> DVec3 {
-    let resolved = LightValues::new(light, inputs.illumination, inputs.camera_from_world);
+    let resolved = LightValues::new(light, &inputs.light_frames());
     match light.kind {
         LightKind::Directional => resolved.direction(),
         LightKind::Point | LightKind::Spot => {

@@ -21,7 +21,7 @@ use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use crate::compile::{LightValues, ParamId};
-use crate::document::{Light, Target, Value, Values};
+use crate::document::{Light, LightFrames, ObjectFrame, Target, Value, Values};
 use crate::ids::{LightId, ObjectId};
 
 pub use blend::is_direction;
@@ -48,6 +48,8 @@ pub struct RigInputs<'a> {
     pub distance: f64,
     /// Front of the object, its z axis, in world space; any length.
     pub front: DVec3,
+    /// Rotation from the object's axes to world space.
+    pub turn: DQuat,
     /// Distances of other objects' centers from this object's, in scene units.
     pub near: &'a IndexMap<ObjectId, f64>,
     /// Values of exposed parameters by name.
@@ -60,6 +62,17 @@ pub struct RigInputs<'a> {
     pub frame: f64,
     /// Number of the object in the scene, counted from 0.
     pub object_id: f64,
+}
+
+impl RigInputs<'_> {
+    /// Frames that the lights of the object are given in.
+    pub fn light_frames(&self) -> LightFrames {
+        LightFrames {
+            illumination: self.illumination,
+            camera_from_world: self.camera_from_world,
+            object: ObjectFrame { center: self.center, turn: self.turn },
+        }
+    }
 }
 
 /// A look's values for one object at one time.

@@ -116,8 +116,8 @@ impl Rig {
         };
         let KeyedValues { values, lights, decided } =
             self.keyed_values(&base, Some(wires), inputs)?;
-        let resolve =
-            |light: &Light| LightValues::new(light, inputs.illumination, inputs.camera_from_world);
+        let frames = inputs.light_frames();
+        let resolve = |light: &Light| LightValues::new(light, &frames);
         Ok(ObjectValues {
             params: values
                 .into_iter()
@@ -204,8 +204,8 @@ impl Rig {
         let KeyDirection::Drivers(drivers) = by else { return Ok(()) };
         let mut lights = lights.clone();
         set_lights(&mut lights, values);
-        let resolve =
-            |light: &Light| LightValues::new(light, inputs.illumination, inputs.camera_from_world);
+        let frames = inputs.light_frames();
+        let resolve = |light: &Light| LightValues::new(light, &frames);
         let lights = lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect();
         for (axis, driver) in drivers.iter().enumerate() {
             let Some(wire) = driver.output() else { continue };
@@ -307,6 +307,7 @@ mod tests {
             center: DVec3::ZERO,
             distance: 1.0,
             front: DVec3::Z,
+            turn: DQuat::IDENTITY,
             near: &IndexMap::new(),
             exposed: &Values::new(),
             lights: &IndexMap::new(),

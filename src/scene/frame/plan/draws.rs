@@ -20,7 +20,7 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightLink, LightValues, Look};
+use crate::document::{Light, LightLink, LightValues, Look, ObjectFrame};
 use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
 use crate::frame::keys::{RigInputs, Wires};
@@ -279,6 +279,7 @@ impl PartDraw<'_> {
             center,
             distance: view.eye.distance(center),
             front: object.world_from_object.transform_vector3(DVec3::Z),
+            turn: ObjectFrame::new(center, object.world_from_object).turn,
             near: self.near,
             exposed: &object.values,
             lights: &setup.scene.lights,

@@ -174,7 +174,7 @@ impl Planner {
                 let Entry::Vacant(slot) = dark.entry((number, index)) else { continue };
                 let look = scene.worn(index, &object.values);
                 let (setup, lights) = (scene.setup, scene.lights(index));
-                let placed = &scene.placed[number];
+                let placed = (&scene.placed[number], object);
                 let unlit = unlit(setup, &scene.mix, object);
                 let found = dark_lights(setup, &look, &lights, placed, &scene.view, &unlit);
                 let found = slot.insert(found);

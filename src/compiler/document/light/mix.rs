@@ -1,0 +1,48 @@
+//! Rule of a scene's mix: which lights are out by its mutes, its solos and the masters of groups.
+
+use std::collections::BTreeSet;
+
+use indexmap::IndexMap;
+
+use super::{Light, LightSet};
+use crate::document::Scene;
+use crate::ids::{LightGroup, LightId};
+
+/// Reason why a light of a scene is out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LightOut {
+    /// Others are soloed.
+    NotSoloed,
+    /// The light is muted, and none is soloed.
+    Muted,
+    /// The master of its group multiplies it by 0.
+    ByMaster(LightGroup),
+}
+
+impl Scene {
+    /// Those of the lights that are out, each with the reason. Solo beats mute: where a light is
+    /// soloed, those shine that are, muted or not.
+    pub fn lights_out(&self, lights: &IndexMap<LightId, Light>) -> IndexMap<LightId, LightOut> {
+        let of = |set: &LightSet| match set.is_none() {
+            true => BTreeSet::new(),
+            false => set.of(lights, &BTreeSet::new()),
+        };
+        let (muted, soloed) = (of(&self.muted), of(&self.soloed));
+        let is_black = |group: &&LightGroup| {
+            self.light_groups.get(*group).is_some_and(|master| master.factors().0 == 0.0)
+        };
+        let mut out = IndexMap::new();
+        for (id, light) in lights {
+            let is_soloed = soloed.contains(id);
+            let why = if !soloed.is_empty() && !is_soloed {
+                Some(LightOut::NotSoloed)
+            } else if !is_soloed && muted.contains(id) {
+                Some(LightOut::Muted)
+            } else {
+                light.groups.iter().find(is_black).cloned().map(LightOut::ByMaster)
+            };
+            out.extend(why.map(|why| (id.clone(), why)));
+        }
+        out
+    }
+}
