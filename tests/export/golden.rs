@@ -12,7 +12,7 @@ use crate::support::validators::{
 use chiaro::compile::{
     CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };
-use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
+use chiaro::document::{Directions, Grid, Hcbtf, LightFrames, Look, Tile};
 use chiaro::export::{ExportFile, LANGUAGES, export};
 use chiaro::frame::Assets;
 use chiaro::hcbtf;
@@ -643,11 +643,12 @@ fn compiled_host(look: &Look, stage: CompileStage, values: &BTreeMap<&str, Json>
             Some((param, serde_json::from_value(value.clone()).expect("a document's value")))
         })
         .collect();
-    let turn = DQuat::from_rotation_y(std::f64::consts::FRAC_PI_2);
+    let illumination = DQuat::from_rotation_y(std::f64::consts::FRAC_PI_2);
+    let frames = LightFrames { illumination, ..LightFrames::default() };
     let lights = look
         .lights
         .iter()
-        .map(|(id, light)| (id.clone(), LightValues::new(light, turn, DMat3::IDENTITY)))
+        .map(|(id, light)| (id.clone(), LightValues::new(light, &frames)))
         .collect();
     let inputs = HostInputs {
         params: &params,
