@@ -31,7 +31,7 @@ use serde_json::{Value as Json, json};
 const COUNTS: [usize; 10] = [1, 2, 4, 8, 10, 16, 32, 64, 128, 256];
 const ROUNDS: usize = 15;
 
-/// Nodes of what comes of one light, and WGSL for it by hand: an expression of `n`, `light` and `i`.
+/// Nodes of what comes of one light, and WGSL for it by hand: the body of a loop over `i`.
 struct Tone {
     name: &'static str,
     nodes: Json,

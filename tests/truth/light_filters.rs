@@ -13,15 +13,15 @@ const SAMPLES: usize = 4_000;
 /// Surface points that are nearer to an edge than this are left out: f32 decides there.
 const EDGE: f64 = 1e-3;
 
-/// Kinds of lights, with what is known of them.
+/// Light of a test, by its kind.
 #[derive(Clone, Copy, Debug)]
-enum Lamp {
+enum TestLamp {
     Sun(DVec3),
     Point(DVec3),
     Spot(DVec3, DVec3),
 }
 
-impl Lamp {
+impl TestLamp {
     fn json(self) -> Json {
         match self {
             Self::Sun(toward) => json!({"direction": toward.to_array(), "space": "world"}),
@@ -43,7 +43,7 @@ impl Lamp {
 }
 
 /// A look that shows an output of a node of a kind for a lamp.
-fn filter(kind: &str, output: &str, lamp: Option<Lamp>, values: &Json) -> SetupLook {
+fn filter(kind: &str, output: &str, lamp: Option<TestLamp>, values: &Json) -> SetupLook {
     let mut values = values.clone();
     let mut lights = json!({});
     if let Some(lamp) = lamp {
@@ -134,9 +134,9 @@ fn a_blocker_darkens_what_lies_behind_it() {
     let toward = DVec3::new(0.5, 1.0, 0.25);
     let size = DVec3::new(0.5, 0.75, 1.0);
     let lamps = [
-        Lamp::Sun(DVec3::new(0.25, 1.0, 0.5)),
-        Lamp::Point(DVec3::new(0.5, 3.0, 0.5)),
-        Lamp::Spot(DVec3::new(-0.5, 3.0, 0.5), DVec3::new(0.0, -1.0, 0.0)),
+        TestLamp::Sun(DVec3::new(0.25, 1.0, 0.5)),
+        TestLamp::Point(DVec3::new(0.5, 3.0, 0.5)),
+        TestLamp::Spot(DVec3::new(-0.5, 3.0, 0.5), DVec3::new(0.0, -1.0, 0.0)),
     ];
     let axes = axes(toward, 0.7);
     for lamp in lamps {
@@ -172,7 +172,7 @@ fn a_card_darkens_what_sees_the_light_through_it() {
         let is_edge = (m - 1.0).abs() < EDGE || t.abs() < EDGE || (t - 1.0).abs() < EDGE;
         (!is_edge).then(|| f64::from(u8::from((0.0..=1.0).contains(&t) && m < 1.0)))
     };
-    let look = filter("blocker", "share", Some(Lamp::Point(lamp)), &values);
+    let look = filter("blocker", "share", Some(TestLamp::Point(lamp)), &values);
     hold(&look, &samples(&mut random, 1.4), wanted, "card");
 }
 
@@ -209,7 +209,7 @@ fn barn_doors_cut_between_angles() {
         let beside = |angle: f64, flap: f64| 1.0 - eased(angle, flap, flap + 0.2);
         Some(beside(aside, 0.5) * beside(-aside, 0.25) * beside(up, 0.375) * beside(-up, 0.75))
     };
-    for lamp in [Lamp::Point(place), Lamp::Spot(place, aim)] {
+    for lamp in [TestLamp::Point(place), TestLamp::Spot(place, aim)] {
         let look = filter("barn_doors", "share", Some(lamp), &flaps);
         hold(&look, &samples(&mut random, 2.0), wanted, &format!("{lamp:?}"));
     }
@@ -227,14 +227,14 @@ fn a_light_throws_a_picture_upright() {
         let [right, up] = [-seen.x, seen.y].map(|x| x / (seen.z * 0.5_f64.tan()));
         (seen.z > 0.01).then_some([0.5 + 0.5 * right, 0.5 + 0.5 * up])
     };
-    let look_at = filter("light_place", "inside", Some(Lamp::Spot(place, aim)), &values);
+    let look_at = filter("light_place", "inside", Some(TestLamp::Spot(place, aim)), &values);
     let inside = |at: DVec3| {
         let m = thrown(at)?.map(|x| (2.0 * x - 1.0).abs()).into_iter().fold(0.0, f64::max);
         ((m - 1.0).abs() > EDGE).then(|| f64::from(u8::from(m < 1.0)))
     };
     hold(&look_at, &samples, inside, "inside");
     let found = truth(
-        &filter("light_place", "uv", Some(Lamp::Spot(place, aim)), &values),
+        &filter("light_place", "uv", Some(TestLamp::Spot(place, aim)), &values),
         "filter.uv",
         &samples,
     );
@@ -247,7 +247,7 @@ fn a_light_throws_a_picture_upright() {
         assert!((found[1] - wanted[1]).abs() < 1e-4, "{found:?} for {wanted:?}");
     }
     // What is to the right of who looks along the light is to the right in its picture.
-    let sun = Lamp::Sun(DVec3::Z);
+    let sun = TestLamp::Sun(DVec3::Z);
     let values = json!({"size": 2, "center": [0, 0, 0]});
     let at = [EvalSample { position: DVec3::new(1.0, 0.5, 0.0), ..EvalSample::default() }];
     let [u, v, ..] = truth(&filter("light_place", "uv", Some(sun), &values), "filter.uv", &at)[0];
@@ -258,7 +258,7 @@ fn a_light_throws_a_picture_upright() {
 fn lamps_begin_end_and_decay_by_distance() {
     let mut random = Random::new(36);
     let place = DVec3::new(0.25, 0.5, 1.0);
-    let lamp = Some(Lamp::Point(place));
+    let lamp = Some(TestLamp::Point(place));
     let samples = samples(&mut random, 2.0);
     let ramp = json!({"near_from": 0.5, "near_to": 1, "far_from": 1.5, "far_to": 2.5});
     let wanted = |at: DVec3| {
@@ -275,7 +275,7 @@ fn lamps_begin_end_and_decay_by_distance() {
 fn the_sun_has_no_doors_and_does_not_decay() {
     let samples = samples(&mut Random::new(37), 2.0);
     for kind in ["barn_doors", "distance_ramp", "decay"] {
-        let look = filter(kind, "share", Some(Lamp::Sun(DVec3::Y)), &json!({}));
+        let look = filter(kind, "share", Some(TestLamp::Sun(DVec3::Y)), &json!({}));
         assert!(
             truth(&look, "filter.share", &samples).iter().all(|value| value[0] == 1.0),
             "{kind}"

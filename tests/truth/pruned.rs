@@ -48,6 +48,7 @@ fn evaluate(
 }
 
 /// Two ways of compiling a look that are compared, and the difference that they may have.
+#[derive(Clone)]
 struct Comparison {
     name: &'static str,
     /// Tier of a look that names none, and the options.
@@ -137,7 +138,8 @@ fn what_is_removed_or_takes_another_form_changes_nothing_in_f64() {
     };
     let mut ledger = Ledger::open("pruned-f64");
     for (case, look) in looks_and_stacks() {
-        comparison.prove(&mut ledger, &case, &look);
+        let bound = comparison.bound * steepness(&case);
+        Comparison { bound, ..comparison.clone() }.prove(&mut ledger, &case, &look);
     }
     ledger.close();
 }
@@ -199,14 +201,17 @@ fn what_is_folded_in_an_example_differs_by_a_few_roundings() {
 }
 
 /// Factor by which the steepest part of a look makes more of a rounding before it: paint whose
-/// edges are far narrower than its cells, threads that glint, contrast at four scales at once, and
-/// bands of a sum of ten lights, whose edges take a twenty-fifth of a step.
+/// edges are far narrower than its cells, threads that glint, contrast at four scales at once,
+/// bands of a sum of ten lights, whose edges take a twenty-fifth of a step, leaves of thirteen
+/// cells in a light's picture, and the bars of a window.
 fn steepness(case: &str) -> f64 {
     match case {
-        "oil-portrait" => 20.0,
+        "oil-portrait" | "filter-before" => 20.0,
         "silk-ring" => 5.0,
         "lights-summed" => 5.0,
         "shape-exaggerated" => 5.0,
+        "filter-after" => 5.0,
+        "room-guest" | "room-walls" => 10.0,
         _ => 1.0,
     }
 }

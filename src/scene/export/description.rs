@@ -31,8 +31,8 @@
 //!
 //! A surrounding that is a light's field is in the light's own frame turned into the world: the
 //! illumination frame (a rotation of the host's choice, the same for all lights in it), the world,
-//! the camera, or the object (turned like it, from the middle of its box). A parameter whose target is `lights.key.direction` sets that field before the
-//! steps run.
+//! the camera, or the object (turned like it, from the middle of its box). A parameter whose target
+//! is `lights.key.direction` sets that field before the steps run.
 //!
 //! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step
 //! with the parameters as they are then, blend the set's values by it, and go on to the next set,

@@ -20,8 +20,8 @@ pub enum LightOut {
 }
 
 impl Scene {
-    /// Those of the lights that are out, each with the reason. Solo beats mute: where a light is
-    /// soloed, those shine that are, muted or not.
+    /// Lights that are out, each with the reason. Solo beats mute: where a light is soloed, those
+    /// shine that are, muted or not.
     pub fn lights_out(&self, lights: &IndexMap<LightId, Light>) -> IndexMap<LightId, LightOut> {
         let of = |set: &LightSet| match set.is_none() {
             true => BTreeSet::new(),

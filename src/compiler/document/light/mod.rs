@@ -222,7 +222,7 @@ pub enum LightSpace {
     World,
     /// Camera frame: x right, y up, z toward the viewer.
     Camera,
-    /// Frame of the object that is lit: it goes along with each object, for that object alone. Its
-    /// origin is the middle of the object's box, its axes are the object's, its unit is the scene's.
+    /// Frame of the object that is lit: a light goes along with each object, for it alone. The
+    /// origin is the middle of the object's box; axes are the object's, the unit is the scene's.
     Object,
 }

@@ -222,6 +222,9 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
 fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
     let mut widget = None;
     let before = *numbers;
+    // Three numbers side by side fit a narrow panel, or the whole panel would become wider.
+    ui.spacing_mut().item_spacing.x = 3.0;
+    ui.spacing_mut().button_padding.x = 3.0;
     for (number, axis) in numbers.iter_mut().zip(["x ", "y ", "z "]) {
         let drag = DragValue::new(number).speed(0.01).max_decimals(3).prefix(axis);
         let response = ui.add(drag).labelled_by(label);

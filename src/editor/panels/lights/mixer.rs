@@ -38,7 +38,7 @@ impl MixedLights {
         Self { lights, out }
     }
 
-    /// What puts a light out, in words; `None` where it shines.
+    /// Reason why a light is out, in words; `None` where it shines.
     pub(super) fn told(&self, id: &LightId) -> Option<String> {
         Some(match self.out.get(id)? {
             LightOut::NotSoloed => "Out in the scene: other lights are soloed".to_owned(),
