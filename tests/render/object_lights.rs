@@ -3,9 +3,9 @@
 
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
-use chiaro::compile::Live;
+use chiaro::compile::{Live, Stage};
 use chiaro::document::{Camera, LightFrames, LightSpace, LightValues, ObjectFrame, Scene};
-use chiaro::frame::{PlanOptions, Planner, SetupLook};
+use chiaro::frame::{Draw, PlanOptions, Planner, Setup, SetupLook, SetupObject};
 use chiaro::library::Library;
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use serde_json::json;
@@ -72,6 +72,45 @@ fn lights_of_an_object_go_along_with_it() {
     let of_object = difference("object");
     assert!(of_object < 40, "{of_object} pixels differ");
     assert!(difference("world") > 800);
+}
+
+/// The look's uniform on each object, in the order of the scene.
+fn uniforms(setup: &Setup) -> Vec<Vec<f64>> {
+    let options = PlanOptions { size: [96, 96], samples: 1, time: 0.0 };
+    let plan = Planner::default()
+        .plan(setup, Library::built_in(), &Live::Keyed, &options)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value;
+    // Draws stand in the order in which they are drawn.
+    let draw_of = |object: &SetupObject| plan.draws.iter().find(|draw| draw.object == object.id);
+    let numbers = |draw: &Draw| draw.look_uniforms[&Stage::default()].numbers.clone();
+    setup.objects.iter().filter_map(draw_of).map(numbers).collect()
+}
+
+/// Objects that wear one look have its lights each for itself, be they the look's or the scene's.
+#[test]
+fn each_object_has_its_own_lights() {
+    let places = [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.5, -1.0)];
+    let pair = |space: &str| {
+        let (mesh, fitted) = shape("creature");
+        let worn =
+            |place: DVec3| (lit(space), mesh.clone(), DMat4::from_translation(place) * fitted);
+        let mut setup = scene_of(places.map(worn).into(), Scene::default());
+        // Both wear the first look.
+        setup.objects[1].looks = setup.objects[0].looks.clone();
+        setup.looks.truncate(1);
+        setup
+    };
+    let of_look = uniforms(&pair("object"));
+    assert_eq!(of_look.len(), 2);
+    assert_ne!(of_look[0], of_look[1]);
+    let mut alone = pair("object");
+    alone.objects.remove(0);
+    assert_eq!(uniforms(&alone), [of_look[1].clone()]);
+    let mut of_scene = pair("world");
+    assert_eq!(uniforms(&of_scene)[0], uniforms(&of_scene)[1]);
+    of_scene.scene.lights = lit("object").look.lights;
+    assert_eq!(uniforms(&of_scene), of_look);
 }
 
 #[test]

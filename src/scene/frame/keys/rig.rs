@@ -15,7 +15,8 @@ use crate::compile::{HostInputs, LightValues, Param};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::directions::KeyWeights;
 use crate::document::{
-    ColorSpace, DirectionKeys, Driver, KeyDirection, Light, Look, Target, TimeKeys, Value,
+    ColorSpace, DirectionKeys, Driver, KeyDirection, Light, LightSpace, Look, Target, TimeKeys,
+    Value,
 };
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 
@@ -66,9 +67,10 @@ impl Rig {
     }
 
     /// True if values differ between objects of the same exposed values: keys go by an object's
-    /// place and surroundings.
-    pub(in crate::frame) fn follows_objects(&self) -> bool {
-        !self.directions.is_empty()
+    /// place and surroundings, or lights along with objects. `lights` replace the look's own.
+    pub(in crate::frame) fn follows_objects(&self, lights: &IndexMap<LightId, Light>) -> bool {
+        let mut shining = self.lights.iter().map(|(id, own)| lights.get(id).unwrap_or(own));
+        !self.directions.is_empty() || shining.any(|light| light.space == LightSpace::Object)
     }
 
     /// Ids of objects whose distances drive keys.

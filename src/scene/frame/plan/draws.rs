@@ -156,16 +156,17 @@ impl<'a> WornLook<'a> {
         )?;
         let reads_object = shaders.draw.host.reads_object()
             || before.values().any(|shader| shader.host.reads_object());
+        let lights = scene.lights(index);
         Ok(Self {
             look,
             shaders,
             before,
-            lights: scene.lights(index),
+            follows_objects: reads_object || shaders.rig.follows_objects(&lights),
+            lights,
             mix: &scene.mix,
             images,
             images_before,
             depth_first,
-            follows_objects: reads_object || shaders.rig.follows_objects(),
             known: HashMap::new(),
         })
     }
