@@ -105,6 +105,11 @@ impl LightKind {
     }
 }
 
+impl LightSpace {
+    /// All frames, in the order of menus.
+    pub const ALL: &'static [Self] = <Self as WordChoice>::ALL;
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use crate::document::SceneEdit;
 use crate::ids::ObjectId;
 use crate::state::orbit::Orbit;
 use crate::state::revision::SoloRevision;
-use crate::state::scene::OpenScene;
+use crate::state::scene::{OpenScene, unit_rotation};
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
 
@@ -43,12 +43,7 @@ impl ViewState {
         let Some(open_scene) = open_scene else { return self.orbit.reset() };
         let scene = open_scene.scene();
         self.orbit.look_from(&scene.camera);
-        let illumination = glam::DQuat::from_array(scene.illumination);
-        self.orbit.illumination = if illumination.length_squared() > 1e-18 {
-            illumination.normalize()
-        } else {
-            glam::DQuat::IDENTITY
-        };
+        self.orbit.illumination = unit_rotation(scene.illumination);
         self.orbit.backdrop = None;
     }
 

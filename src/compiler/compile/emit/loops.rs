@@ -13,9 +13,9 @@ use super::parts::Body;
 use crate::compile::functions::write_line;
 use crate::compile::host::{ArrayPlace, UniformMember};
 use crate::compile::names::Names;
-use crate::compile::specialize::{LoopVariable, Operation, ValueId, operands};
+use crate::compile::specialize::{LightLoop, LoopVariable, Operation, ValueId, operands};
 use crate::ids::LightId;
-use crate::library::{Rate, Type};
+use crate::library::Type;
 
 /// Width of a field, by how many numbers of a row it takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -142,7 +142,7 @@ impl Emitter<'_> {
                 self.value_names.insert(id, text);
             }
         }
-        let count = special.loops[loops[0]].count;
+        let count = special.loops[loops[0]].lights.len();
         for index in 0..count {
             for (rounds, field) in &fields {
                 let value = rounds[index];
@@ -206,45 +206,37 @@ impl Emitter<'_> {
         let special = self.special;
         let mut readers: HashMap<ValueId, Vec<ValueId>> = HashMap::new();
         for &call in self.calls.iter().filter(|&&call| self.loop_around(call).is_some()) {
-            let mut open: Vec<ValueId> = operands(&special.values[call].operation).collect();
-            while let Some(id) = open.pop() {
-                match special.values[id].operation {
-                    Operation::LoopVariable { .. } => readers.entry(id).or_default().push(call),
-                    Operation::Member { .. } | Operation::Convert { .. } => {
-                        open.extend(operands(&special.values[id].operation));
-                    }
-                    _ => {}
+            for operand in operands(&special.values[call].operation) {
+                let variable = self.behind(operand);
+                if matches!(special.values[variable].operation, Operation::LoopVariable { .. }) {
+                    readers.entry(variable).or_default().push(call);
                 }
             }
         }
-        for light_loop in &special.loops {
-            for &LoopVariable { before, after, .. } in &light_loop.variables {
+        for LightLoop { variables, .. } in &special.loops {
+            for &LoopVariable { before, after, .. } in variables {
                 let is_call = matches!(special.values[after].operation, Operation::Call { .. })
                     && self.loop_around(after).is_some();
                 let is_read_elsewhere =
                     readers.get(&before).is_some_and(|calls| calls.iter().any(|&c| c != after));
-                let is_shared =
-                    light_loop.variables.iter().filter(|other| other.after == after).count() > 1;
+                let is_shared = variables.iter().filter(|other| other.after == after).count() > 1;
                 // What the variables of others become may be a value that this one was.
-                let is_passed_on = light_loop.variables.iter().any(|other| {
-                    let mut open = vec![other.after];
-                    std::iter::from_fn(|| {
-                        let id = open.pop()?;
-                        if matches!(
-                            special.values[id].operation,
-                            Operation::Member { .. } | Operation::Convert { .. }
-                        ) {
-                            open.extend(operands(&special.values[id].operation));
-                        }
-                        Some(id)
-                    })
-                    .any(|id| id == before)
-                });
+                let is_passed_on = variables.iter().any(|other| self.behind(other.after) == before);
                 if is_call && !is_read_elsewhere && !is_shared && !is_passed_on {
                     self.assigned.insert(after, before);
                 }
             }
         }
+    }
+
+    /// The value that a value is a member or a conversion of, or itself.
+    fn behind(&self, mut id: ValueId) -> ValueId {
+        while let Operation::Member { value, .. } | Operation::Convert { value, .. } =
+            self.special.values[id].operation
+        {
+            id = value;
+        }
+        id
     }
 
     /// A loop as a block, with the calls of its body that do not stand inside others.
@@ -268,15 +260,11 @@ impl Emitter<'_> {
 
     /// The values of other blocks that a loop reads.
     pub(super) fn loop_needs(&self, block: &LoopBlock) -> Vec<ValueId> {
-        let light_loop = &self.special.loops[block.index];
-        let firsts = light_loop
-            .variables
-            .iter()
-            .flat_map(|variable| [variable.first, variable.after])
-            .flat_map(|id| self.call_operands(id, true));
-        let of_body = block.calls.iter().flat_map(|&call| self.call_operands(call, false));
-        let mut needs: Vec<ValueId> =
-            firsts.chain(of_body).filter(|&id| self.loop_around(id).is_none()).collect();
+        let calls = block.calls.iter().chain([&block.value]);
+        let mut needs: Vec<ValueId> = calls
+            .flat_map(|&call| self.call_operands(call, false))
+            .filter(|&id| self.loop_around(id).is_none())
+            .collect();
         needs.sort_unstable();
         needs.dedup();
         needs
@@ -294,7 +282,7 @@ impl Emitter<'_> {
         let _ = writeln!(
             body.text,
             "    // {comment}\n    for (var {counter} = 0u; {counter} < {}u; {counter}++) {{",
-            light_loop.count
+            light_loop.lights.len()
         );
         for &call in &block.calls {
             let text = self.call(call).0;
@@ -361,13 +349,7 @@ impl Emitter<'_> {
 
     /// True if a fragment reads its surface for a block.
     pub(super) fn loop_reads_surface(&self, block: &LoopBlock) -> bool {
-        let light_loop = &self.special.loops[block.index];
-        let ends = light_loop.variables.iter().flat_map(|v| [v.first, v.after]);
-        block.calls.iter().copied().chain([block.value]).any(|call| self.reads_surface(call))
-            || ends.into_iter().any(|id| {
-                let value = &self.special.values[id];
-                matches!(value.operation, Operation::Context(..)) && value.rate == Rate::Fragment
-            })
+        block.calls.iter().chain([&block.value]).any(|&call| self.reads_surface(call))
     }
 }
 

@@ -46,8 +46,6 @@ pub(super) type JoinedNodes = BTreeMap<(RegionIndex, NodePath), Vec<JoinedCopy>>
 /// A body that runs once for each light.
 #[derive(Clone, Debug)]
 pub(in crate::compile) struct LightLoop {
-    /// The number of rounds.
-    pub(in crate::compile) count: usize,
     /// The lights, a round each.
     pub(in crate::compile) lights: Vec<LightId>,
     /// The nodes that join what comes of them.
@@ -64,7 +62,8 @@ pub(in crate::compile) struct LightLoop {
 
 impl LightLoop {
     fn is_worth_it(&self) -> bool {
-        self.count >= MANY_LIGHTS || self.operations * self.count as u64 >= MANY_OPERATIONS
+        let rounds = self.lights.len();
+        rounds >= MANY_LIGHTS || self.operations * rounds as u64 >= MANY_OPERATIONS
     }
 
     pub(in crate::compile) fn into_looped(self) -> LoopedLights {
@@ -237,18 +236,19 @@ impl SpecializedGraph {
         for variable in &light_loop.variables {
             arguments.extend([variable.first, variable.after].map(Argument::Value));
         }
-        let node = self.values[results[0].0].node;
+        let first = &self.values[results[0]];
+        let (ty, node) = (first.ty.clone(), first.node);
         let id = self.values.len();
         self.values.push(ComputedValue {
             operation: Operation::Loop { index, arguments },
-            ty: self.values[results[0].0].ty.clone(),
+            ty,
             rate: Rate::Fragment,
             node,
             part: None,
             unit: false,
             ranges: None,
         });
-        for (result, variable) in results {
+        for (variable, result) in results.into_iter().enumerate() {
             self.values[result].operation = Operation::LoopResult { value: id, variable };
         }
         self.loops.push(light_loop);
@@ -326,8 +326,8 @@ struct MadeLoop {
     /// Values that follow those of the graph.
     body: Vec<ComputedValue>,
     light_loop: LightLoop,
-    /// Values of the last copy, with the variables that hold them.
-    results: Vec<(ValueId, usize)>,
+    /// Values of the last copy, which the variables hold in the end, by variable.
+    results: Vec<ValueId>,
 }
 
 struct LoopBuilder<'a> {
@@ -349,7 +349,6 @@ impl<'a> LoopBuilder<'a> {
     ) -> Self {
         let lights = chains.lights[copies.clone()].iter().flatten().cloned().collect();
         let light_loop = LightLoop {
-            count: copies.len(),
             lights,
             paths: chains.paths.clone(),
             operations: 0,
@@ -386,7 +385,7 @@ impl<'a> LoopBuilder<'a> {
                     before: id,
                     after: id,
                 });
-                results.push((last, self.light_loop.variables.len() - 1));
+                results.push(last);
             }
         }
         let mut at = 0;

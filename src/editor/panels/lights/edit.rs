@@ -206,12 +206,7 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
     let before = light.space;
     let combo =
         ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
-            for space in [
-                LightSpace::Illumination,
-                LightSpace::World,
-                LightSpace::Camera,
-                LightSpace::Object,
-            ] {
+            for &space in LightSpace::ALL {
                 ui.selectable_value(&mut light.space, space, name(space));
             }
         });

@@ -25,7 +25,7 @@ use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
 use crate::state::reading::LookWithLibrary;
-use crate::state::scene::OpenScene;
+use crate::state::scene::{OpenScene, unit_rotation};
 use crate::state::snapshot::Stamp;
 use crate::state::view::ViewState;
 
@@ -171,13 +171,9 @@ impl<'a> KeyedLook<'a> {
     /// Frames that lights are given in, for the object that stands for all that wear the look.
     pub(crate) fn light_frames(self) -> LightFrames {
         let own = self.own_object().map(|(_, object)| &object.transform);
-        let object = own.map_or_else(ObjectFrame::default, |transform| {
-            let turn = DQuat::from_array(transform.rotate);
-            let is_turn = turn.length_squared() > 1e-18;
-            ObjectFrame {
-                center: transform.translate.into(),
-                turn: if is_turn { turn.normalize() } else { DQuat::IDENTITY },
-            }
+        let object = own.map_or_else(ObjectFrame::default, |transform| ObjectFrame {
+            center: transform.translate.into(),
+            turn: unit_rotation(transform.rotate),
         });
         LightFrames {
             illumination: self.view.orbit.illumination,
@@ -188,15 +184,16 @@ impl<'a> KeyedLook<'a> {
 
     /// Direction toward a light from the object, in camera axes.
     fn toward_light(self, light: &Light) -> DVec3 {
-        let frames = self.light_frames();
-        let resolved = LightValues::new(light, &frames);
-        let toward = match light.kind {
-            LightKind::Directional => resolved.direction(),
-            LightKind::Point | LightKind::Spot => {
-                resolved.position().try_normalize().unwrap_or(DVec3::Z)
-            }
-        };
-        frames.camera_from_world * toward
+        self.at_this_moment(|inputs| {
+            let resolved = LightValues::new(light, &inputs.light_frames());
+            let toward = match light.kind {
+                LightKind::Directional => resolved.direction(),
+                LightKind::Point | LightKind::Spot => {
+                    resolved.position().try_normalize().unwrap_or(DVec3::Z)
+                }
+            };
+            inputs.camera_from_world * toward
+        })
     }
 
     /// Present values of keys.

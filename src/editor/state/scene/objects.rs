@@ -38,13 +38,16 @@ pub(crate) fn file_label(name: &str) -> String {
     name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned()
 }
 
+/// Rotation of a document, whose quaternion may have any length; none where that is 0.
+pub(crate) fn unit_rotation(rotation: [f64; 4]) -> DQuat {
+    let rotation = DQuat::from_array(rotation);
+    if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY }
+}
+
 /// Angles of a rotation around the vertical axis, around the axis to the right and around the one
 /// toward the viewer, in degrees. The rotation is made of them in the reverse order.
 pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
-    let rotation = DQuat::from_array(rotation);
-    let rotation =
-        if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
-    let (y, x, z) = rotation.to_euler(EulerRot::YXZ);
+    let (y, x, z) = unit_rotation(rotation).to_euler(EulerRot::YXZ);
     // Rounding hides the last digits of a quaternion, and adding 0 the sign of -0: neither is
     // anybody's wish.
     [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
