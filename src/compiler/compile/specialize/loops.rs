@@ -25,8 +25,8 @@ use crate::library::{Rate, Type};
 /// From this many lights on, or from this many operations of all of them on, a loop is worth it.
 ///
 /// Measured on software Vulkan (docs/performance.md, "Many lights"): up to there a loop takes up to
-/// a sixth longer, and a driver compiles the code of each light in at most a quarter of a second;
-/// beyond, a loop is quicker to draw and several times quicker to compile.
+/// a quarter longer, and a driver compiles the code of each light in less than half a second;
+/// beyond, a loop is as quick to draw or quicker, and several times quicker to compile.
 const MANY_LIGHTS: usize = 32;
 const MANY_OPERATIONS: u64 = 4_000;
 
