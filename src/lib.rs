@@ -44,7 +44,7 @@
 //!
 //! Lights:
 //! - Fields: rows in `compiler/document/light/mod.rs` (`light_fields!`).
-//! - Sets of lights: `compiler/document/light/set.rs` (`LightSet`); links to objects:
+//! - Sets of lights: `compiler/document/set.rs` (`LightSet`); links to objects:
 //!   `compiler/document/light/link.rs` (`LightLink`), `scene/frame/links.rs` (`unlinked_lights`).
 //! - Mutes, solos and masters of groups: `compiler/document/light/master.rs` (`GroupMaster`),
 //!   `scene/frame/mix.rs` (`light_mix`).

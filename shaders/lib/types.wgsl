@@ -7,6 +7,9 @@ alias Color = vec4f;
 /// Premultiplied RGBA: the stack of layers below, as blends pass it on.
 alias Composite = vec4f;
 
+/// The triangles of all objects that cast shadows, as `shaders/lib/casters.wgsl` reads them.
+alias Casters = texture_2d<f32>;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {

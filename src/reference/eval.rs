@@ -5,7 +5,9 @@ use std::sync::Arc;
 use super::shader::LANES;
 use super::uniform;
 use crate::diag::Diagnostic;
-use crate::frame::{BindingKind, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform};
+use crate::frame::{
+    BindingKind, Casters, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform,
+};
 use crate::interp::{self, Bindings, BoundProgram, Precision, Program, ResourceKind, Value};
 use crate::progress::Progress;
 
@@ -51,6 +53,10 @@ impl Evaluator {
                     if let Some(used) = shader.needs.images.get(*index) {
                         bindings.sampler(0, at, super::modules::sampler_of(used));
                     }
+                }
+                BindingKind::Casters => {
+                    let none = super::modules::casters_texture(&Casters::default())?;
+                    bindings.texture(0, at, none);
                 }
                 _ => {}
             }

@@ -15,7 +15,7 @@ use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
-    BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
+    BindingKind, Casters, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
     ScreenModule, ScreenResource, VertexAttribute,
 };
 use crate::interp::{
@@ -52,6 +52,8 @@ pub struct Modules {
     /// Modules of passes over the whole picture.
     screens: HashMap<PassId, (ScreenModule, ModulePrograms)>,
     images: HashMap<(u64, bool), Texture>,
+    /// Triangles that cast shadows, where a look reads them.
+    casters: Option<Texture>,
     /// Pixel whose fragments are watched, if any.
     watch: Option<PixelWatch>,
 }
@@ -87,6 +89,7 @@ impl Modules {
             looks: HashMap::new(),
             screens: HashMap::new(),
             images: HashMap::new(),
+            casters: plan.casters.as_deref().map(casters_texture).transpose()?,
             watch,
         };
         for draw in &plan.draws {
@@ -200,6 +203,10 @@ impl Modules {
                 BindingKind::Pass(pass) => {
                     bindings.texture(0, at, map(images.first(*pass), plan.size)?);
                 }
+                BindingKind::Casters => {
+                    let texture = self.casters.clone().ok_or_else(|| missing("casters"))?;
+                    bindings.texture(0, at, texture);
+                }
                 BindingKind::Samples => {}
             }
         }
@@ -299,6 +306,13 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
         TextureDimension::D2,
         vec![TextureLevel::f64([texels.size[0], texels.size[1], 1], pixels.collect())],
     )
+}
+
+/// Triangles that cast shadows, with the objects' places in f64.
+pub(super) fn casters_texture(casters: &Casters) -> Result<Texture, Diagnostic> {
+    let [width, height] = casters.size();
+    let level = TextureLevel::f64([width, height, 1], casters.texels());
+    Texture::new(TextureDimension::D2, vec![level])
 }
 
 /// An image as the GPU samples it: colors are decoded before filtering if the look asks for that.

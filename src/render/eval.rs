@@ -1,8 +1,11 @@
 //! Evaluation of a compiled look at surface samples, at full f32 precision.
 
+use std::sync::Arc;
+
 use wgpu::util::DeviceExt as _;
 
 use super::Renderer;
+use super::casters::CastersTexture;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::pipeline::{DepthUse, LookPipeline, Sides};
@@ -96,6 +99,11 @@ impl Renderer {
             usage: wgpu::BufferUsages::STORAGE,
         });
         let images = self.images.of(&self.gpu, &batch.images, &batch.shader.needs.images)?;
+        // Samples are of no scene, where nothing casts a shadow.
+        let casters = match batch.shader.needs.casters {
+            true => Some(CastersTexture::new(&self.gpu, &Arc::default())?),
+            false => None,
+        };
         let mut entries = Vec::new();
         for binding in &batch.shader.bindings {
             let resource = match &binding.kind {
@@ -104,6 +112,7 @@ impl Renderer {
                     images.get(*index).map(|image| image.texture())
                 }
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
+                BindingKind::Casters => casters.as_ref().map(CastersTexture::resource),
                 _ => None,
             };
             let missing = || RenderError::Refused {

@@ -9,6 +9,7 @@ use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, progress};
 use chiaro_scene::{frame, geometry, hcbtf};
 
+mod casters;
 mod deferred;
 mod error;
 mod eval;
@@ -46,6 +47,8 @@ pub struct Renderer {
     /// depth.
     screens: HashMap<(PassId, bool), passes::ScreenPipeline>,
     targets: target::Targets,
+    /// Triangles that cast shadows, while looks read them.
+    casters: Option<casters::CastersTexture>,
     /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,
     /// Timer of the passes, while they are measured.
@@ -62,6 +65,7 @@ impl Renderer {
             gpu,
             screens: HashMap::new(),
             targets: target::Targets::default(),
+            casters: None,
             done: HashMap::new(),
             timer: None,
         }
@@ -91,6 +95,7 @@ impl Renderer {
         if self.targets.fit(&self.gpu, plan) {
             self.done.clear();
         }
+        self.prepare_casters(plan)?;
         let mut encoder = self
             .gpu
             .device

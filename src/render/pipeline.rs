@@ -328,6 +328,6 @@ pub(super) fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        BindingKind::Pass(_) => texture(false),
+        BindingKind::Pass(_) | BindingKind::Casters => texture(false),
     }
 }

@@ -155,6 +155,7 @@ pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Set
             world_from_object,
             values: Default::default(),
             light_link: Default::default(),
+            shadow_link: Default::default(),
         });
         setup.looks.push(look);
     }

@@ -4,6 +4,7 @@
 use chiaro_test_drawing as support;
 
 mod batches;
+mod casters;
 mod deferred;
 mod depth_first;
 mod effects;

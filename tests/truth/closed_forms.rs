@@ -72,6 +72,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
         world_from_object: DMat4::IDENTITY,
         values: Default::default(),
         light_link: Default::default(),
+        shadow_link: Default::default(),
     };
     let scene = Scene { camera, ..Scene::default() };
     let setup = Setup { scene, looks: vec![look], objects: vec![object], ..Setup::default() };

@@ -15,6 +15,7 @@ mod marks;
 mod nodes;
 mod pruned;
 mod raster;
+mod shadows;
 mod shape_passes;
 mod single;
 mod tiers;

@@ -1257,6 +1257,11 @@ const ELSEWHERE: &[&str] = &[
     "light_filter",
     "light_place",
     "rod",
+    // shadows.rs
+    "cast_shadow",
+    "self_shadow",
+    "shadow",
+    "shadow_blocker",
     // tests/sweeps/hcbtf_lookup.rs
     "constant_size",
     "dominant_light",

@@ -308,7 +308,7 @@ impl HostInputs<'_> {
                 light.map_or_else(|| input.value(&LightValues::default()), |l| input.value(l))
             }
             // Of fragment rate, and so never a step of the host.
-            ContextSource::Fragment { .. } | ContextSource::Pass { .. } => {
+            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene => {
                 interp::Value::Float(0.0)
             }
         };

@@ -175,6 +175,8 @@ pub struct Needs {
     pub contexts: Vec<Context>,
     /// The images that it reads.
     pub images: Vec<ImageUse>,
+    /// True if it reads the triangles of all objects that cast shadows.
+    pub casters: bool,
 }
 
 impl Needs {

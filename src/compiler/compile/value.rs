@@ -79,6 +79,7 @@ pub(super) fn expected(ty: &Type) -> String {
         Type::Image => "the path of an image".to_owned(),
         Type::Hcbtf => "the path of an .hcbtf file".to_owned(),
         Type::Text => "a text".to_owned(),
+        Type::Casters => "the scene's own casters".to_owned(),
         Type::Angle | Type::Light | Type::Prepared(_) => "a wire".to_owned(),
     }
 }

@@ -4,7 +4,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::{AUTOMATIC_OR_TIER, described};
-use super::light::{Light, LightField, LightSet};
+use super::light::{Light, LightField};
+use super::set::LightSet;
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};
 use super::word::WordChoice as _;

@@ -20,6 +20,7 @@ mod problems;
 mod read;
 mod rotation;
 mod scene;
+mod set;
 mod shape;
 mod source;
 mod storage;
@@ -43,12 +44,13 @@ pub use hcbtf::{
 pub use image::JournalDocument;
 pub use light::{
     GroupMaster, Light, LightField, LightFrames, LightInput, LightKind, LightLink, LightOut,
-    LightQuantity, LightSet, LightSetError, LightSpace, LightValues, LinkRule, MAX_EXPOSURE,
-    MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, ObjectFrame, SetTerm,
+    LightQuantity, LightSpace, LightValues, LinkRule, MAX_EXPOSURE, MAX_INTENSITY, MAX_LIGHT_COLOR,
+    MIN_LIGHT_DISTANCE, ObjectFrame, ShadowLink,
 };
 pub use look::*;
 pub use read::Document;
 pub use scene::*;
+pub use set::{LightSet, MemberSet, ObjectSet, SetError, SetMember, SetTerm};
 pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema};
 pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;

@@ -4,7 +4,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::light::{GroupMaster, Light, LightLink, LightSet};
+use super::light::{GroupMaster, Light, LightLink, ShadowLink};
+use super::set::{LightSet, ObjectSet};
 use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::value::Values;
 use super::word::WordChoice as _;
@@ -71,6 +72,14 @@ described! {
         linked: LightSet = LightSet::all(), FieldKind::LightSet;
         /// Lights that do not reach it although they are linked; `{source}` are those.
         unlinked: LightSet = LightSet::none(), FieldKind::LightSet;
+        /// Lights whose shadows the object casts, where looks ask for shadows.
+        shadowed: LightSet = LightSet::all(), FieldKind::LightSet;
+        /// Lights whose shadows it does not cast all the same; `{source}` are those of `shadowed`.
+        unshadowed: LightSet = LightSet::none(), FieldKind::LightSet;
+        /// Objects that its shadows fall on, itself among them.
+        shadows_on: ObjectSet = ObjectSet::all(), FieldKind::ObjectSet;
+        /// Objects that they do not fall on all the same; `{source}` are those of `shadows_on`.
+        no_shadows_on: ObjectSet = ObjectSet::none(), FieldKind::ObjectSet;
         /// True if the object is drawn.
         visible: bool = true, FieldKind::Bool;
         unknown;
@@ -81,6 +90,16 @@ impl Object {
     /// Lights that reach the object.
     pub fn light_link(&self) -> LightLink {
         LightLink { linked: self.linked.clone(), unlinked: self.unlinked.clone() }
+    }
+
+    /// Shadows that the object casts.
+    pub fn shadow_link(&self) -> ShadowLink {
+        ShadowLink {
+            shadowed: self.shadowed.clone(),
+            unshadowed: self.unshadowed.clone(),
+            shadows_on: self.shadows_on.clone(),
+            no_shadows_on: self.no_shadows_on.clone(),
+        }
     }
 }
 

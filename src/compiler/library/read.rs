@@ -735,7 +735,12 @@ fn neutral(ty: &Type) -> Option<Value> {
             interpolation: Interpolation::Linear,
         }),
         Type::Image | Type::Hcbtf | Type::LightName | Type::Text => Value::Text(String::new()),
-        Type::Angle | Type::Light | Type::Mat3 | Type::Choice | Type::Prepared(_) => return None,
+        Type::Angle
+        | Type::Light
+        | Type::Mat3
+        | Type::Casters
+        | Type::Choice
+        | Type::Prepared(_) => return None,
     })
 }
 

@@ -37,6 +37,8 @@ pub enum Type {
     Image,
     /// `texture_2d_array<f32>` with a sampler: a hand-painted 6D texture.
     Hcbtf,
+    /// `Casters`: the triangles of all objects that cast shadows, which the scene gives.
+    Casters,
     /// Choice: one of a few words, known when the look is compiled.
     Choice,
     /// Id of a light of the look.
@@ -75,6 +77,7 @@ impl Type {
             "Ramp" => Self::Ramp,
             "texture_2d<f32>" => Self::Image,
             "texture_2d_array<f32>" => Self::Hcbtf,
+            "Casters" => Self::Casters,
             other => Self::Prepared(other.to_owned()),
         }
     }
@@ -95,6 +98,7 @@ impl Type {
             Self::Ramp => "Ramp",
             Self::Image => "texture_2d<f32>",
             Self::Hcbtf => "texture_2d_array<f32>",
+            Self::Casters => "Casters",
             Self::Choice | Self::LightName | Self::Text => "",
             Self::Prepared(name) => name,
         }
@@ -194,6 +198,7 @@ impl fmt::Display for Type {
             Self::Ramp => "ramp",
             Self::Image => "image",
             Self::Hcbtf => "HCBTF",
+            Self::Casters => "casters",
             Self::Choice => "choice",
             Self::LightName => "light's id",
             Self::Text => "text",

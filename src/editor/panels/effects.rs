@@ -154,6 +154,7 @@ fn plural(kind: EffectKind) -> &'static str {
         EffectKind::Light => "Lights",
         EffectKind::Attribute => "Vertex attributes",
         EffectKind::Texture => "Images",
+        EffectKind::Casters => "Shadows",
         EffectKind::Uniforms => "Uniforms",
         EffectKind::Node => "Nodes",
     }

@@ -152,6 +152,8 @@ impl<'s> FunctionOptions<'s> {
             derivatives: Derivatives::Quads,
             is_stage: true,
             literals: Some(literals),
+            // Rays past the triangles of a scene are long work for a batch of fragments.
+            step_limit: 300_000_000,
             ..Self::default()
         }
     }

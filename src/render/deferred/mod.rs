@@ -12,6 +12,7 @@ pub(crate) use pipeline::DeferredPipelines;
 
 use std::sync::Arc;
 
+use crate::casters::CastersTexture;
 use crate::compile::{BindingKind, CompiledShader};
 use crate::frame::{Deferral, DeferredDraw, Draw, FramePlan, PassId, PassImage};
 use crate::passes::{background, cleared, depth_attachment, tested_depth, uniform};
@@ -188,6 +189,7 @@ impl Renderer {
                     let image = PassImage { pass: *pass, output: 0 };
                     self.targets.image(image).map(wgpu::BindingResource::TextureView)
                 }
+                BindingKind::Casters => self.casters.as_ref().map(CastersTexture::resource),
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused {

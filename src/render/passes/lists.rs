@@ -10,6 +10,7 @@ use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use super::uniform;
+use crate::casters::CastersTexture;
 use crate::compile::{BindingKind, CompiledShader, Stage, Uniform};
 use crate::frame::{Draw, FramePlan, PassImage};
 use crate::mesh::Meshes;
@@ -156,6 +157,7 @@ impl Renderer {
                     let image = PassImage { pass: *pass, output: 0 };
                     self.targets.image(image).map(wgpu::BindingResource::TextureView)
                 }
+                BindingKind::Casters => self.casters.as_ref().map(CastersTexture::resource),
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused {

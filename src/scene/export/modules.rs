@@ -7,11 +7,11 @@ use super::header;
 use super::reflect::{self, BindingType, BoundVariable, EntryPoint};
 use crate::compile::{
     BindingKind, CompileOptions, CompiledShader, HostSource, ImageShape, ImageUse, Live, Stage,
-    TypedGraph, compile_typed,
+    TypedGraph, TypedNode, compile_typed,
 };
 use crate::diag::Diagnostic;
 use crate::frame::ScreenModule;
-use crate::library::{PassId, PassOutput};
+use crate::library::{PassId, PassOutput, Type};
 use crate::wgsl::ValidModule;
 
 /// A WGSL module with everything that a host has to know of it.
@@ -254,7 +254,8 @@ fn feed(shader: &CompiledShader, bound: &BoundVariable, images: &mut Vec<ExportI
             Feed::Pass { pass: row.slug, output: row.writes[0].name }
         }
         // A module that draws meshes has no such binding.
-        Some(BindingKind::Samples) | None => Feed::Inputs,
+        // Looks that read casters are refused.
+        Some(BindingKind::Samples | BindingKind::Casters) | None => Feed::Inputs,
     }
 }
 
@@ -278,6 +279,7 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         compile_typed(typed, &options)
     };
     let draw = compile(Stage::default())?;
+    refuse_casters(typed, &draw)?;
     let wanted = wanted(&draw);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
     for &pass in &wanted {
@@ -288,6 +290,25 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     found.add_screens(&wanted)?;
     found.add_meshes(PassId::LOOK, draw, stem);
     Ok(found)
+}
+
+/// Refuses a look whose nodes send rays past the triangles of a scene, which an export has not.
+fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<Diagnostic>> {
+    if !draw.needs.casters {
+        return Ok(());
+    }
+    let asks = |node: &&TypedNode| node.def.inputs.iter().any(|input| input.ty == Type::Casters);
+    let problems = typed.nodes.iter().filter(asks).map(|node| {
+        let message = format!(
+            "the node `{}` ({}) sends rays past the meshes of a scene, which an export does not \
+             carry",
+            node.path, node.def.label
+        );
+        Diagnostic::error("export-casters", message)
+            .node(node.path.clone())
+            .hint("mute it for the export, and let the program that draws cast the shadow")
+    });
+    Err(problems.collect())
 }
 
 /// The passes before the look that it reads, and the passes that those read in turn.

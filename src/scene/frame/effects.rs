@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::cost::{EffectCost, attribute_bytes, pass_operations, shader_operations};
 use super::plan::{Draw, FramePlan};
 use crate::compile::{BindingKind, CompiledShader, Proof, StructLayout, VertexAttribute};
+use crate::figures;
 use crate::library::{PassId, Type};
 
 /// Kind of an effect.
@@ -27,6 +28,8 @@ pub enum EffectKind {
     Attribute,
     /// An image with its sampler.
     Texture,
+    /// Triangles that cast shadows.
+    Casters,
     /// Values that a look reads from uniforms.
     Uniforms,
     /// A node of a look.
@@ -129,6 +132,7 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
         effect.look.clone_from(&dropped.look);
         effects.push(effect);
     }
+    effects.extend(casters(plan));
     let mut seen = HashSet::new();
     for draw in &plan.draws {
         if seen.insert(draw.object.clone()) {
@@ -153,6 +157,24 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
         push_look(&mut effects, shader, draw);
     }
     effects
+}
+
+/// The triangles that cast shadows, where a look reads them.
+fn casters(plan: &FramePlan) -> Option<Effect> {
+    let casters = plan.casters.as_ref()?;
+    let reads = |draw: &&Draw| draw.modules().any(|module| module.needs.casters);
+    let draw = plan.draws.iter().find(reads)?;
+    let triangles = casters.trees().iter().map(|tree| u64::from(tree.triangles));
+    let reason = format!(
+        "object `{}` wears {}, which sends rays past {} in {}",
+        draw.object,
+        if draw.look_name.is_empty() { "a look" } else { &draw.look_name },
+        figures::count(triangles.sum(), "triangle"),
+        figures::count(casters.trees().len() as u64, "tree"),
+    );
+    let [width, height] = casters.size().map(u64::from);
+    let cost = EffectCost::bytes(16 * width * height);
+    Some(Effect::runs("casters of shadows", EffectKind::Casters, reason).costs(cost))
 }
 
 fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {

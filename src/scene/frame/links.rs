@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use super::mix::LightMix;
 use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightSet, LinkRule};
+use crate::document::{Light, LinkRule, MemberSet, SetMember};
 use crate::ids::{LightId, ObjectId};
 
 /// A light and an object, and whether the one reaches the other.
@@ -96,31 +96,44 @@ pub(super) fn unlinked_lights(
     unlinked.map(|(id, rule)| (id, words(rule).into())).collect()
 }
 
-/// Warnings of links that name a light, or a group, which there is not.
+/// Warnings of links that name a light, a group or an object which there is not.
 pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic> {
-    let link = &object.light_link;
-    if link.is_all() {
+    let (link, shadow) = (&object.light_link, &object.shadow_link);
+    if link.is_all() && shadow.is_all() {
         return Vec::new();
     }
-    let lights = setup.lights_about(object);
     let index = setup.scene.objects.get_index_of(&object.id).unwrap_or_default();
-    let fields = [("linked", &link.linked), ("unlinked", &link.unlinked)];
-    let idle = fields.into_iter().flat_map(|(field, set)| {
-        let whose = format!("`{field}` of object `{}`", object.id);
-        idle_terms(setup, &(whose, format!("objects[{index}].{field}")), set, &lights)
-    });
-    idle.collect()
+    let place = |field: &str| {
+        (format!("`{field}` of object `{}`", object.id), format!("objects[{index}].{field}"))
+    };
+    let own = setup.lights_about(object);
+    let all = if shadow.is_all() { IndexMap::new() } else { setup.all_lights() };
+    let of_lights = [
+        ("linked", &link.linked, &own),
+        ("unlinked", &link.unlinked, &own),
+        ("shadowed", &shadow.shadowed, &all),
+        ("unshadowed", &shadow.unshadowed, &all),
+    ];
+    let of_objects = [("shadows_on", &shadow.shadows_on), ("no_shadows_on", &shadow.no_shadows_on)];
+    let objects = &setup.scene.objects;
+    let idle_lights = of_lights
+        .into_iter()
+        .flat_map(|(field, set, lights)| idle_terms(setup, &place(field), set, lights));
+    let idle_objects = of_objects
+        .into_iter()
+        .flat_map(|(field, set)| idle_terms(setup, &place(field), set, objects));
+    idle_lights.chain(idle_objects).collect()
 }
 
-/// Warnings of a set's terms that name none of the lights. `place` is whose set it is, and where in
-/// the scene's document.
-pub(super) fn idle_terms(
+/// Warnings of a set's terms that name none of all members. `place` is whose set it is, and where
+/// in the scene's document.
+pub(super) fn idle_terms<M: SetMember>(
     setup: &Setup,
     (whose, json_path): &(String, String),
-    set: &LightSet,
-    lights: &IndexMap<LightId, Light>,
+    set: &MemberSet<M>,
+    all: &IndexMap<M::Id, M>,
 ) -> Vec<Diagnostic> {
-    let idle = set.idle_warnings(whose, lights).into_iter();
+    let idle = set.idle_warnings(whose, all).into_iter();
     idle.map(|problem| located(setup, problem, json_path.clone())).collect()
 }
 

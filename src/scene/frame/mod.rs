@@ -8,6 +8,7 @@
 
 mod assets;
 mod camera;
+mod casters;
 mod content;
 mod cost;
 mod coverage;
@@ -44,6 +45,7 @@ pub use assets::{
     image_bytes,
 };
 pub use camera::{View, widened};
+pub use casters::Casters;
 pub use cost::{EffectCost, TierCosts, TierOperations, attribute_bytes, tier_costs};
 pub use coverage::PixelArea;
 pub use deferred::{

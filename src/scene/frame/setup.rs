@@ -10,7 +10,9 @@ use indexmap::IndexMap;
 use super::assets::Assets;
 use super::store::AssetStore;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
-use crate::document::{Document, LightLink, Look, Object, Scene, SourceMap, Transform, Values};
+use crate::document::{
+    Document, LightLink, Look, Object, Scene, ShadowLink, SourceMap, Transform, Values,
+};
 use crate::files::Files;
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
@@ -45,6 +47,8 @@ pub struct SetupObject {
     pub values: Values,
     /// Lights that reach the object.
     pub light_link: LightLink,
+    /// Shadows that the object casts.
+    pub shadow_link: ShadowLink,
 }
 
 impl SetupObject {
@@ -192,6 +196,7 @@ pub fn default_setup(
         looks,
         values: Values::new(),
         light_link: LightLink::default(),
+        shadow_link: ShadowLink::default(),
     };
     let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
     Ok(WithWarnings::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
@@ -297,6 +302,7 @@ pub fn place_objects(
             looks: worn,
             values: object.values.clone(),
             light_link: object.light_link(),
+            shadow_link: object.shadow_link(),
         });
         material_problems(
             id,

@@ -2,9 +2,11 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3, Vec3};
 
+use super::tree::MeshTree;
 use crate::cache::{CachedValue, EntryReader, EntryWriter};
 
 /// Name of the material of triangles without a material in the file.
@@ -41,6 +43,25 @@ pub struct Mesh {
     pub has_colors: bool,
     /// True if every corner's normal comes from the file; otherwise some were made.
     pub has_normals: bool,
+    /// Tree over the triangles, made when first asked for.
+    pub tree: LazyTree,
+}
+
+/// Tree over a mesh's triangles, made when first asked for. It follows from the mesh, and so is
+/// equal to any other; a copy of a mesh, which may be changed, makes its own.
+#[derive(Debug, Default)]
+pub struct LazyTree(OnceLock<Arc<MeshTree>>);
+
+impl Clone for LazyTree {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for LazyTree {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// The triangles of one material.
@@ -126,6 +147,11 @@ impl Mesh {
             true => Cow::Owned(vec![Self::WHITE; self.positions.len()]),
             false => Cow::Borrowed(&self.colors),
         }
+    }
+
+    /// The tree over all triangles, for rays; made once.
+    pub fn tree(&self) -> &Arc<MeshTree> {
+        self.tree.0.get_or_init(|| Arc::new(MeshTree::new(self)))
     }
 
     /// Number of triangles.
@@ -230,6 +256,7 @@ mod tests {
             has_uvs: true,
             has_colors: false,
             has_normals: true,
+            tree: LazyTree::default(),
         };
         let again = |mesh: &Mesh| {
             let mut entry = EntryWriter::default();

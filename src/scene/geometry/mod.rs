@@ -15,12 +15,14 @@ mod normals;
 mod shapes;
 mod soup;
 mod tangents;
+mod tree;
 mod triangulate;
 mod vertices;
 
 pub use import::{
     MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
 };
-pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, Mesh, MeshPart};
+pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, LazyTree, Mesh, MeshPart};
 pub use normals::CREASE_ANGLE;
 pub use shapes::{OwnShape, SHAPES, shape};
+pub use tree::{BoxNode, MeshTree, tree_of_boxes};

@@ -4,8 +4,8 @@ use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
     Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node, Note, Object,
-    Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform,
-    UnknownFields, Value, Values, Wire,
+    ObjectSet, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange,
+    Transform, UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -478,6 +478,11 @@ impl Random {
         LightSet::parse(self.choose(&texts)).expect("a set of lights")
     }
 
+    pub(crate) fn object_set(&mut self) -> ObjectSet {
+        let texts = ["*", "", " floor|wall-* - {source}", "torus & (*)"];
+        ObjectSet::parse(self.choose(&texts)).expect("a set of objects")
+    }
+
     pub(crate) fn object(&mut self) -> Object {
         let scale =
             std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
@@ -493,6 +498,10 @@ impl Random {
             values: self.values(),
             linked: self.light_set(),
             unlinked: self.light_set(),
+            shadowed: self.light_set(),
+            unshadowed: self.light_set(),
+            shadows_on: self.object_set(),
+            no_shadows_on: self.object_set(),
             visible: self.chance(5),
             unknown: self.unknown(),
         };

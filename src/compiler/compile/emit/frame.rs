@@ -28,6 +28,7 @@ pub(super) const RESERVED: &[&str] = &[
     "look",
     "surface",
     "samples",
+    "casters",
     "shade",
     "vs_main",
     "fs_main",
@@ -232,6 +233,9 @@ impl Emitter<'_> {
         } else {
             let samples = "var<storage, read> samples: array<Sample>;".to_owned();
             push(BindingKind::Samples, "samples", samples);
+        }
+        if self.needs.casters {
+            push(BindingKind::Casters, "casters", "var casters: Casters;".to_owned());
         }
         for image in 0..self.needs.images.len() {
             if self.image_is_used(image) {

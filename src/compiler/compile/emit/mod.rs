@@ -74,6 +74,8 @@ pub enum BindingKind {
     Sampler(ImageBinding),
     /// The first result of a pass, one texel a pixel.
     Pass(PassId),
+    /// The triangles of all objects that cast shadows.
+    Casters,
     /// The samples of an evaluation.
     Samples,
 }
@@ -231,7 +233,7 @@ impl<'a> Emitter<'a> {
             special,
             options,
             calls: Vec::new(),
-            needs: Needs { contexts: Vec::new(), images: special.images.clone() },
+            needs: Needs { images: special.images.clone(), ..Needs::default() },
             names: Names::default(),
             items: Items::default(),
             functions: SpecializedFunctions::default(),
@@ -576,6 +578,8 @@ impl<'a> Emitter<'a> {
                 self.needs.contexts.push(*context);
             }
         }
+        self.needs.casters = self.needs.contexts.contains(&Context::CASTERS);
+        self.needs.contexts.retain(|context| !context.is_resource());
         self.needs.contexts.sort_unstable();
         let used: Vec<bool> =
             (0..self.needs.images.len()).map(|image| self.image_is_used(image)).collect();
@@ -835,6 +839,10 @@ impl<'a> Emitter<'a> {
     }
 
     fn context_expression(&self, context: Context) -> String {
-        format!("surface.{}", context.word())
+        if context.is_resource() {
+            context.word().to_owned()
+        } else {
+            format!("surface.{}", context.word())
+        }
     }
 }

@@ -176,7 +176,11 @@ impl Emitter<'_> {
         while let Some(id) = open.pop() {
             let value = &self.special.values[id];
             match &value.operation {
-                Operation::Context(..) if value.rate == Rate::Fragment => return true,
+                Operation::Context(context, _)
+                    if value.rate == Rate::Fragment && !context.is_resource() =>
+                {
+                    return true;
+                }
                 Operation::Member { value, .. } | Operation::Convert { value, .. } => {
                     open.push(*value);
                 }

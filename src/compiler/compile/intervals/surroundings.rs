@@ -6,6 +6,9 @@ use crate::library::{Context, ContextBounds, Type};
 
 /// The range of each scalar of a context: what its row promises.
 pub(in crate::compile) fn context_ranges(context: Context) -> Ranges {
+    if context.is_resource() {
+        return [].into();
+    }
     let count = super::scalars_in(&Type::from_wgsl(context.wgsl_type())).unwrap_or(1);
     let ty = Type::from_wgsl(context.wgsl_type());
     let bounds = context.row().bounds;

@@ -265,7 +265,7 @@ enum SharedWork {
 
 /// True if a uniform may hold a value of a type.
 fn is_in_uniforms(ty: &Type) -> bool {
-    !ty.is_texture() && !matches!(ty, Type::Text | Type::Choice | Type::LightName)
+    !ty.is_texture() && !matches!(ty, Type::Casters | Type::Text | Type::Choice | Type::LightName)
 }
 
 fn is_same_work(a: &Operation, b: &Operation) -> bool {

@@ -9,8 +9,8 @@ use crate::document::read::reader::Reader;
 use crate::document::shape::{self, FieldKind};
 use crate::document::word::WordChoice as _;
 use crate::document::{
-    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSet, LightSpace, Projection,
-    Target, Tier, UnknownFields, Value,
+    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSpace, MemberSet, Projection,
+    SetMember, Target, Tier, UnknownFields, Value,
 };
 use crate::ids::{LightGroup, NodeId, ObjectId, PortName};
 
@@ -253,8 +253,8 @@ macro_rules! ids {
 
 ids!(LightGroup, NodeId, ObjectId, PortName);
 
-/// Set of lights, of whose text what is wrong is told.
-impl FieldType for LightSet {
+/// Set, of whose text what is wrong is told.
+impl<M: SetMember> FieldType for MemberSet<M> {
     fn read(
         r: &mut Reader<'_>,
         at: ValueIndex,
@@ -264,8 +264,8 @@ impl FieldType for LightSet {
         let text = r.text_at(at, shape::LINE)?;
         let set = Self::parse(&text);
         if let Err(why) = &set {
-            let problem = Diagnostic::error("bad-light-set", format!("`{text}`: {why}"));
-            r.report(at, problem.hint("for example `key | group:rim - group:set`, or `*`"));
+            let problem = Diagnostic::error(M::BAD, format!("`{text}`: {why}"));
+            r.report(at, problem.hint(M::EXAMPLE));
         }
         set.ok()
     }

@@ -1,6 +1,6 @@
 //! Inputs from lights: most fields of a light as they are, and values computed from several.
 
-use super::{LightField, LightQuantity, LightValues};
+use super::{LightField, LightKind, LightQuantity, LightValues};
 use crate::interp::Value;
 
 /// Input from the light that a node names, in world space and ready for use: `from=light.` and the
@@ -76,6 +76,35 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: false,
         },
         value: |light| Value::vec(&[light.world.half_distance, light.world.range]),
+    },
+    ComputedRow {
+        input: InputRow {
+            word: "light.source",
+            wgsl: "vec4f",
+            help: "the light's place and 1; of a directional light the unit direction toward it \
+                   and 0; world space",
+            after: LightField::Position,
+            is_unit: false,
+        },
+        value: |light| {
+            let (at, w) = match light.kind {
+                LightKind::Directional => (light.direction(), 0.0),
+                LightKind::Point | LightKind::Spot => (light.position(), 1.0),
+            };
+            Value::vec(&at.extend(w).to_array())
+        },
+    },
+    ComputedRow {
+        input: InputRow {
+            word: "light.casters",
+            wgsl: "f32",
+            help: "what casts this light's shadows onto the object: the texel of a tree over \
+                   objects, twice, or -2 where none does, and 1 more where the object casts them \
+                   onto itself; -2 for no shadows",
+            after: LightField::Intensity,
+            is_unit: false,
+        },
+        value: |light| Value::Float(light.casters),
     },
 ];
 

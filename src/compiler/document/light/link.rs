@@ -1,11 +1,14 @@
-//! Links: which lights of a set reach a thing, and which rule says so.
+//! Links: which lights of a set reach a thing, and which rule says so; and whose shadows an object
+//! casts onto which others.
 
 use std::collections::BTreeSet;
 
 use indexmap::IndexMap;
 
-use super::{Light, LightSet};
-use crate::ids::LightId;
+use super::Light;
+use crate::document::scene::Object;
+use crate::document::set::{LightSet, ObjectSet};
+use crate::ids::{LightId, ObjectId};
 
 /// Sets of the lights that are linked to a thing, and of those that are not although they are.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -37,7 +40,7 @@ pub enum LinkRule {
 impl LightLink {
     /// True if all lights reach the thing, whichever there are.
     pub fn is_all(&self) -> bool {
-        self.linked.text() == "*" && self.unlinked.text().is_empty()
+        self.linked.is_all() && self.unlinked.is_none()
     }
 
     /// Rule for each of the lights.
@@ -60,6 +63,53 @@ impl LightLink {
             LinkRule::NotLinked => format!("`linked` (`{}`) has it not", self.linked.text()),
             LinkRule::Unlinked => format!("`unlinked` (`{}`) has it", self.unlinked.text()),
         }
+    }
+}
+
+/// Shadows that an object casts: of which lights, and onto which objects.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct ShadowLink {
+    /// Lights whose shadows the object casts.
+    pub shadowed: LightSet,
+    /// Lights whose shadows it does not cast; `{source}` are those of `shadowed`.
+    pub unshadowed: LightSet,
+    /// Objects that its shadows fall on.
+    pub shadows_on: ObjectSet,
+    /// Objects that they do not; `{source}` are those of `shadows_on`.
+    pub no_shadows_on: ObjectSet,
+}
+
+/// The object casts all shadows that there are.
+impl Default for ShadowLink {
+    fn default() -> Self {
+        Self {
+            shadowed: LightSet::all(),
+            unshadowed: LightSet::none(),
+            shadows_on: ObjectSet::all(),
+            no_shadows_on: ObjectSet::none(),
+        }
+    }
+}
+
+impl ShadowLink {
+    /// True if the object casts the shadows of all lights onto all objects, whichever there are.
+    pub fn is_all(&self) -> bool {
+        self.shadowed.is_all()
+            && self.unshadowed.is_none()
+            && self.shadows_on.is_all()
+            && self.no_shadows_on.is_none()
+    }
+
+    /// Lights whose shadows the object casts.
+    pub fn lights(&self, all: &IndexMap<LightId, Light>) -> BTreeSet<LightId> {
+        let shadowed = self.shadowed.of(all, &BTreeSet::new());
+        &shadowed - &self.unshadowed.of(all, &shadowed)
+    }
+
+    /// Objects that its shadows fall on.
+    pub fn objects(&self, all: &IndexMap<ObjectId, Object>) -> BTreeSet<ObjectId> {
+        let on = self.shadows_on.of(all, &BTreeSet::new());
+        &on - &self.no_shadows_on.of(all, &on)
     }
 }
 

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use indexmap::IndexMap;
 
-use super::{Light, LightSet};
+use super::Light;
 use crate::document::Scene;
+use crate::document::set::LightSet;
 use crate::ids::{LightGroup, LightId};
 
 /// Reason why a light of a scene is out.

@@ -10,7 +10,6 @@ mod input;
 mod link;
 mod master;
 mod mix;
-mod set;
 mod values;
 
 use serde::{Deserialize, Serialize};
@@ -25,10 +24,9 @@ use field::{FieldAccess, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
-pub use link::{LightLink, LinkRule};
+pub use link::{LightLink, LinkRule, ShadowLink};
 pub use master::{GroupMaster, MAX_EXPOSURE};
 pub use mix::LightOut;
-pub use set::{LightSet, LightSetError, SetTerm};
 pub use values::{
     LightFrames, LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, ObjectFrame,
 };

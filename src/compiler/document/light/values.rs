@@ -32,6 +32,9 @@ pub struct LightValues {
     pub cone: [f64; 2],
     /// The kind of light.
     pub kind: LightKind,
+    /// What casts this light's shadows onto the object that is lit: [`Self::NO_CASTERS`], or a
+    /// number that the scene's casters give.
+    pub casters: f64,
 }
 
 /// Place and turn of an object that is lit.
@@ -81,6 +84,9 @@ impl LightFrames {
 }
 
 impl LightValues {
+    /// [`Self::casters`] where nothing casts shadows.
+    pub const NO_CASTERS: f64 = -2.0;
+
     /// Resolves `light` in its frame.
     pub fn new(light: &Light, frames: &LightFrames) -> Self {
         let (world_from_own, origin) = frames.world_from(light.space);
@@ -95,6 +101,7 @@ impl LightValues {
             cone: [world.inner.clamp(0.0, world.outer).cos(), world.outer.cos()],
             kind: light.kind,
             world,
+            casters: Self::NO_CASTERS,
         }
     }
 

@@ -81,6 +81,8 @@ pub(super) enum FieldKind {
     Slug,
     /// Set of lights: an expression over ids, names and groups.
     LightSet,
+    /// Set of objects: an expression over ids.
+    ObjectSet,
     /// Choice of words, each with its meaning.
     Word(&'static [(&'static str, &'static str)]),
     /// Output `node.port`; the port may be left out.

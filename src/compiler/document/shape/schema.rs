@@ -119,7 +119,9 @@ fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
         FieldKind::Rotation => refer("rotation", definitions, rotation),
         FieldKind::Text(most) => json!({ "type": "string", "maxLength": most }),
         FieldKind::Slug => json!({ "type": "string", "pattern": SLUG }),
-        FieldKind::LightSet => json!({ "type": "string", "maxLength": LINE }),
+        FieldKind::LightSet | FieldKind::ObjectSet => {
+            json!({ "type": "string", "maxLength": LINE })
+        }
         FieldKind::Word(words) => choice(words),
         FieldKind::Output => json!({ "type": "string", "pattern": OUTPUT }),
         FieldKind::Input => json!({ "type": "string", "pattern": INPUT }),

@@ -149,6 +149,7 @@ pub(in crate::document) fn kind_words(kind: &FieldKind) -> String {
         FieldKind::Text(most) => format!("a string of at most {most} bytes"),
         FieldKind::Slug => "an [id](#ids)".to_owned(),
         FieldKind::LightSet => "a [set of lights](#sets-of-lights)".to_owned(),
+        FieldKind::ObjectSet => "a [set of objects](#sets-of-lights)".to_owned(),
         FieldKind::Word(words) => {
             words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
         }

@@ -57,6 +57,9 @@ impl Context {
     /// Curvature of the surface, which most nodes do not show as an input.
     pub const KAPPA: Self = Self::named("kappa");
 
+    /// Triangles of all objects that cast shadows.
+    pub const CASTERS: Self = Self::named("casters");
+
     /// Context with a word, looked up when Chiaro is compiled.
     ///
     /// # Panics
@@ -127,6 +130,11 @@ impl Context {
         self.row().word
     }
 
+    /// True for a resource of the whole scene, which is bound as a variable of its own.
+    pub fn is_resource(self) -> bool {
+        matches!(self.row().source, ContextSource::Scene)
+    }
+
     /// WGSL type of the context.
     pub fn wgsl_type(self) -> &'static str {
         self.row().ty
@@ -136,7 +144,9 @@ impl Context {
     /// each object.
     pub fn rate(self) -> Rate {
         match self.row().source {
-            ContextSource::Fragment { .. } | ContextSource::Pass { .. } => Rate::Fragment,
+            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene => {
+                Rate::Fragment
+            }
             ContextSource::Host { rate, .. } => rate,
             ContextSource::Light(_) => Rate::Object,
         }
@@ -188,7 +198,7 @@ mod tests {
                 assert!(PassId::from_slug(pass).is_some(), "{context:?}: no pass `{pass}`");
                 assert!(wgsl.contains("texel"), "{context:?} reads nothing of its pass");
             }
-            if context.rate() == Rate::Fragment {
+            if context.rate() == Rate::Fragment && !context.is_resource() {
                 let value = row.sample.value(context, &SurfacePoint::default(), None);
                 let count = value.components().map_or(0, |components| components.len());
                 let width = Type::from_wgsl(row.ty).width().unwrap_or(9);

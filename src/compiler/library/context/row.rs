@@ -64,6 +64,9 @@ pub enum ContextSource {
     },
     /// Property of the light that the node names, which the host computes.
     Light(LightInput),
+    /// Resource that the executor binds for the whole scene: it is passed to functions and is no
+    /// number. Its variable has the context's word for its name.
+    Scene,
 }
 
 /// The host's knowledge of the frame and the object before any fragment runs.
@@ -210,6 +213,11 @@ impl ContextRow {
         meaning: &'static str,
     ) -> Self {
         Self::new(word, ty, ContextSource::Host { rate, value, meaning }, help)
+    }
+
+    /// Row of a resource of the whole scene.
+    pub(super) const fn scene(word: &'static str, ty: &'static str, help: &'static str) -> Self {
+        Self::new(word, ty, ContextSource::Scene, help)
     }
 
     /// Row of an input from a light, built from the light input's own description.

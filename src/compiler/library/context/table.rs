@@ -321,4 +321,37 @@ pub(super) const TABLE: &[Row] = &[
     )
     .within(ContextBounds::Within(MAX_NORMAL_SCALE))
     .sampled(&[], |_| Value::matrix(&DMat3::IDENTITY.to_cols_array_2d())),
+    Row::derived(
+        "pixel_across",
+        "vec3f",
+        "dpdx(in.position)",
+        "from the fragment's place on the surface to that of its neighbor to the right, world space",
+    )
+    .within(ContextBounds::Within(4.0 * MAX_PLACE))
+    .sampled(&[], |_| vec3(DVec3::ZERO)),
+    Row::derived(
+        "pixel_down",
+        "vec3f",
+        "dpdy(in.position)",
+        "from the fragment's place on the surface to that of its neighbor below, world space",
+    )
+    .within(ContextBounds::Within(4.0 * MAX_PLACE))
+    .sampled(&[], |_| vec3(DVec3::ZERO)),
+    Row::derived(
+        "normal_across",
+        "vec3f",
+        "dpdx(normal)",
+        "from the fragment's normal to that of its neighbor to the right, world space",
+    )
+    .within(ContextBounds::Within(2.0))
+    .sampled(&[], |_| vec3(DVec3::ZERO)),
+    Row::derived(
+        "normal_down",
+        "vec3f",
+        "dpdy(normal)",
+        "from the fragment's normal to that of its neighbor below, world space",
+    )
+    .within(ContextBounds::Within(2.0))
+    .sampled(&[], |_| vec3(DVec3::ZERO)),
+    Row::scene("casters", "Casters", "the triangles of all objects that cast shadows"),
 ];

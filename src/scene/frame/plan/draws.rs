@@ -13,6 +13,7 @@ use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::Draw;
+use super::casters::PlannedCasters;
 use super::images::images;
 use super::order::{DrawPlace, in_lists};
 use super::placement::{PlacedScene, VisibleObject, values_key};
@@ -47,9 +48,9 @@ struct WornLook<'a> {
     depth_first: bool,
     /// True if values differ between objects of the same exposed values.
     follows_objects: bool,
-    /// Values that objects share, by the exposed values of the objects and the lights that reach
-    /// them.
-    known: HashMap<(String, Option<LightLink>), Arc<DrawValues>>,
+    /// Values that objects share, by the exposed values of the objects, the lights that reach them,
+    /// and what casts the lights' shadows onto them.
+    known: HashMap<(String, Option<LightLink>, Option<u64>), Arc<DrawValues>>,
 }
 
 /// A part of an object with everything that its draw is made of.
@@ -59,6 +60,8 @@ struct PartDraw<'a> {
     part: &'a MeshPart,
     /// Distances of other objects, in scene units.
     near: &'a IndexMap<ObjectId, f64>,
+    /// Casters of shadows, where a look reads them.
+    casters: Option<&'a PlannedCasters>,
 }
 
 /// Values of a look's uniforms for a draw.
@@ -76,7 +79,7 @@ impl Planner {
     pub(super) fn draws(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[VisibleObject<'_>],
+        (visible, casters): (&[VisibleObject<'_>], Option<&PlannedCasters>),
         variants: &Variants,
         stages: &[Stage],
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
@@ -104,7 +107,7 @@ impl Planner {
                 let center = scene.placed[number].center;
                 let near = near_objects(look, (&object.id, center), &center_of);
                 let visible = VisibleObject { number, object };
-                let part = PartDraw { scene, visible, part, near: &near };
+                let part = PartDraw { scene, visible, part, near: &near, casters };
                 match part.draw(look) {
                     Ok(draw) => draws.push((draw, place)),
                     Err(problem) => problems.push(problem),
@@ -176,17 +179,20 @@ impl<'a> WornLook<'a> {
     fn values(
         &mut self,
         inputs: &RigInputs<'_>,
-        link: &LightLink,
-        unlinked: &dyn Fn() -> Vec<LightId>,
+        (link, unlinked): (&LightLink, &dyn Fn() -> Vec<LightId>),
+        casters: Option<(&PlannedCasters, usize)>,
     ) -> Result<Arc<DrawValues>, Diagnostic> {
+        let numbers = casters.and_then(|(casters, object)| casters.of(object));
         if self.follows_objects {
-            return self.computed(inputs, &unlinked()).map(Arc::new);
+            return self.computed(inputs, &unlinked(), numbers).map(Arc::new);
         }
-        let key = (values_key(inputs.exposed), (!link.is_all()).then(|| link.clone()));
+        let link = (!link.is_all()).then(|| link.clone());
+        let shadows = casters.map(|(casters, object)| casters.key(object));
+        let key = (values_key(inputs.exposed), link, shadows);
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
-        let values = Arc::new(self.computed(inputs, &unlinked())?);
+        let values = Arc::new(self.computed(inputs, &unlinked(), numbers)?);
         self.known.insert(key, values.clone());
         Ok(values)
     }
@@ -196,6 +202,7 @@ impl<'a> WornLook<'a> {
         &self,
         inputs: &RigInputs<'_>,
         unlinked: &[LightId],
+        casters: Option<&HashMap<LightId, f64>>,
     ) -> Result<DrawValues, Diagnostic> {
         let shaders = self.shaders;
         let inputs = RigInputs { lights: &self.lights, ..*inputs };
@@ -211,6 +218,11 @@ impl<'a> WornLook<'a> {
             values.lights.iter_mut().for_each(|(id, light)| self.mix.apply(id, light));
             for id in unlinked {
                 values.lights.get_mut(id).map(LightValues::darken);
+            }
+            for (id, number) in casters.into_iter().flatten() {
+                if let Some(light) = values.lights.get_mut(id) {
+                    light.casters = *number;
+                }
             }
             for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
                 if let (true, Some(value)) = (now.value != then.value, now.value) {
@@ -237,7 +249,9 @@ impl PartDraw<'_> {
     fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
         let Self { scene, visible: VisibleObject { number, object }, part, .. } = *self;
         let unlinked = || unlinked_lights(scene.setup, object).into_keys().collect();
-        let values = look.values(&self.rig_inputs(), &object.light_link, &unlinked)?;
+        let link = (&object.light_link, &unlinked as &dyn Fn() -> Vec<LightId>);
+        let casters = self.casters.map(|casters| (casters, number));
+        let values = look.values(&self.rig_inputs(), link, casters)?;
         let (view, placed) = (&scene.view, &scene.placed[number]);
         let eye_distance = view.eye.distance(placed.center);
         Ok(Draw {

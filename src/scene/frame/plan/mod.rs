@@ -7,6 +7,7 @@
 //! side, and `deferral` chooses how looks are drawn. `omissions` lists what was left out, and
 //! `images` reads what modules sample.
 
+mod casters;
 mod deferral;
 mod draws;
 mod images;
@@ -28,6 +29,7 @@ use glam::DVec3;
 
 use super::assets::Image;
 use super::camera::View;
+use super::casters::Casters;
 use super::cost::EffectCost;
 use super::coverage::PixelArea;
 use super::deferred::Deferral;
@@ -154,6 +156,8 @@ pub struct FramePlan {
     pub view: View,
     /// Pixels in which objects may be seen.
     pub covered: PixelArea,
+    /// Triangles that cast shadows; `None` where no look reads them.
+    pub casters: Option<Arc<Casters>>,
     /// Draws, back to front where their order can be seen, else one look after another.
     pub draws: Vec<Draw>,
     /// Passes, in the order in which they run.
@@ -183,6 +187,7 @@ impl FramePlan {
             backdrop: None,
             view,
             covered: PixelArea::whole(size),
+            casters: None,
             draws: Vec::new(),
             passes: passes.into_iter().rev().map(planned).collect(),
             deferral: Err(String::new()),

@@ -10,6 +10,7 @@ use super::variants::{LookShaders, Variants};
 use super::{Draw, DroppedEffect, Pass, PlanOptions};
 use crate::compile::{CompiledShader, Proof};
 use crate::frame::camera::View;
+use crate::frame::casters::Casters;
 use crate::frame::cost::{self, EffectCost};
 use crate::frame::effects::EffectKind;
 use crate::ids::ObjectId;
@@ -107,12 +108,22 @@ impl WantedPasses {
     }
 
     /// The passes in order, each with the hash of everything that it reads.
-    pub(super) fn planned(self, draws: &[Draw], view: &View, options: &PlanOptions) -> Vec<Pass> {
+    pub(super) fn planned(
+        self,
+        draws: &[Draw],
+        view: &View,
+        casters: Option<&Casters>,
+        options: &PlanOptions,
+    ) -> Vec<Pass> {
         let mut passes: Vec<Pass> = Vec::with_capacity(self.0.len());
         for (id, reason) in self.0 {
             let mut hasher = DefaultHasher::new();
             if let Some(stage) = id.stage() {
                 hash_of(draws, view, options, stage).hash(&mut hasher);
+                let modules = draws.iter().filter_map(|draw| draw.module(stage));
+                if let Some(casters) = casters.filter(|_| reads_casters(modules)) {
+                    casters.hash().hash(&mut hasher);
+                }
             }
             // The picture reads the results of all passes before it, whichever they are.
             let is_read = |before: &&Pass| id.writes_picture() || id.reads(before.id);
@@ -128,6 +139,11 @@ impl WantedPasses {
 fn unwanted_cost(pass: PassId, options: &PlanOptions) -> EffectCost {
     let reader = PassId::all().find(|reader| reader.reads(pass));
     cost::of_passes(std::iter::once(pass).chain(reader), options)
+}
+
+/// True if any of the modules reads the triangles that cast shadows.
+fn reads_casters<'a>(mut modules: impl Iterator<Item = &'a Arc<CompiledShader>>) -> bool {
+    modules.any(|shader| shader.needs.casters)
 }
 
 /// The hash of everything that decides on what a pass over meshes draws.

@@ -103,9 +103,11 @@ impl Planner {
         let stages = wanted.stages_before();
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);
-        let draws = self.draws(&scene, &visible, &variants, &stages)?;
+        let casters = self.casters(&scene, &visible, &variants)?;
+        let draws = self.draws(&scene, (&visible, casters.as_ref()), &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
-        let mut passes = wanted.planned(&draws, &scene.view, options);
+        let casters = casters.map(|casters| casters.texture);
+        let mut passes = wanted.planned(&draws, &scene.view, casters.as_deref(), options);
         let deferral = self.deferred.deferral(&scene, &visible, &passes, &draws);
         deferral::tell(&mut passes, &deferral);
         let plan = FramePlan {
@@ -114,6 +116,7 @@ impl Planner {
             backdrop: setup.scene.backdrop,
             view: scene.view,
             covered: scene.covered(&visible),
+            casters,
             draws,
             passes,
             deferral,

@@ -1,36 +1,124 @@
-//! Sets of lights, as expressions over ids, names and groups.
+//! Sets of lights and of objects, as expressions over ids, names and groups.
 //!
 //! ```text
 //! set    = product (("|" | "-") product)*     both or either; the first without the second
 //! product = term ("&" term)*                  both, before | and -
-//! term   = "*"                                all lights
-//!        | id                                 the light of that id; * and ? stand for any letters
-//!        | "name"                             lights of that name, in double quotes
-//!        | group:NAME                         lights of that group; * and ? as in ids
+//! term   = "*"                                all
+//!        | id                                 the one of that id; * and ? stand for any letters
+//!        | "name"                             those of that name, in double quotes
+//!        | group:NAME                         those of that group; * and ? as in ids
 //!        | {source}                           what the set was before
 //!        | "(" set ")"
 //! ```
 //!
-//! An id may hold `-`, so a `-` that takes away stands apart from words. The empty text is the set
-//! of no lights.
+//! An id may hold `-`, so a `-` that takes away stands apart from words. The empty text is the empty
+//! set.
 
 use std::collections::BTreeSet;
 use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::marker::PhantomData;
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::Light;
+use super::light::Light;
+use super::scene::Object;
 use crate::diag::Diagnostic;
-use crate::ids::{LightId, is_slug};
+use crate::ids::{LightGroup, LightId, ObjectId, is_slug};
 
-/// Set of lights, with the text that says it.
-#[derive(Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// Member of sets: what ids, names and groups stand for.
+pub trait SetMember {
+    /// Ids of members.
+    type Id: Clone + Ord + Hash + AsRef<str>;
+    /// Word for a member.
+    const WORD: &'static str;
+    /// Members that a set may name, in words.
+    const TERMS: &'static str;
+    /// Example of a set, in words.
+    const EXAMPLE: &'static str;
+    /// Code of an error of what is no set.
+    const BAD: &'static str;
+    /// Code of a warning of a term that names none.
+    const UNKNOWN: &'static str;
+
+    /// Name of the member; empty for none.
+    fn name(&self) -> &str;
+
+    /// Groups of the member.
+    fn groups(&self) -> &[LightGroup];
+}
+
+impl SetMember for Light {
+    type Id = LightId;
+    const WORD: &'static str = "light";
+    const TERMS: &'static str = "a light or a group";
+    const EXAMPLE: &'static str = "for example `key | group:rim - group:set`, or `*`";
+    const BAD: &'static str = "bad-light-set";
+    const UNKNOWN: &'static str = "unknown-light";
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn groups(&self) -> &[LightGroup] {
+        &self.groups
+    }
+}
+
+/// Objects have ids alone.
+impl SetMember for Object {
+    type Id = ObjectId;
+    const WORD: &'static str = "object";
+    const TERMS: &'static str = "an object";
+    const EXAMPLE: &'static str = "for example `floor | wall-*`, or `*`";
+    const BAD: &'static str = "bad-object-set";
+    const UNKNOWN: &'static str = "unknown-object";
+
+    fn name(&self) -> &str {
+        ""
+    }
+
+    fn groups(&self) -> &[LightGroup] {
+        &[]
+    }
+}
+
+/// Set of lights.
+pub type LightSet = MemberSet<Light>;
+
+/// Set of objects.
+pub type ObjectSet = MemberSet<Object>;
+
+/// Set with the text that says it.
+#[derive(Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct LightSet {
+#[serde(bound(serialize = "", deserialize = "M: SetMember"))]
+pub struct MemberSet<M> {
     text: String,
     /// The expression with operators behind their operands.
     steps: Vec<SetStep>,
+    member: PhantomData<fn() -> M>,
+}
+
+impl<M> Clone for MemberSet<M> {
+    fn clone(&self) -> Self {
+        Self { text: self.text.clone(), steps: self.steps.clone(), member: PhantomData }
+    }
+}
+
+impl<M> PartialEq for MemberSet<M> {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl<M> Eq for MemberSet<M> {}
+
+impl<M> Hash for MemberSet<M> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+    }
 }
 
 /// Step of an expression in postfix order.
@@ -54,7 +142,7 @@ impl SetOperator {
         self == Self::Intersection && other != Self::Intersection
     }
 
-    fn apply(self, a: &BTreeSet<LightId>, b: &BTreeSet<LightId>) -> BTreeSet<LightId> {
+    fn apply<I: Clone + Ord>(self, a: &BTreeSet<I>, b: &BTreeSet<I>) -> BTreeSet<I> {
         match self {
             Self::Union => a | b,
             Self::Difference => a - b,
@@ -63,31 +151,31 @@ impl SetOperator {
     }
 }
 
-/// Name of lights in a set.
+/// Name of members in a set.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum SetTerm {
-    /// All lights: `*`.
+    /// All: `*`.
     All,
-    /// Lights of the set that was there before: `{source}`.
+    /// Those of the set that was there before: `{source}`.
     Source,
-    /// Lights of an id, in which `*` and `?` stand for any letters.
+    /// Those of an id, in which `*` and `?` stand for any letters.
     Id(String),
-    /// Lights of a name, in double quotes.
+    /// Those of a name, in double quotes.
     Name(String),
-    /// Lights of a group, in which `*` and `?` stand for any letters.
+    /// Those of a group, in which `*` and `?` stand for any letters.
     Group(String),
 }
 
 impl SetTerm {
-    /// True if a light is named.
-    fn names(&self, id: &LightId, light: &Light) -> bool {
+    /// True if a member is named.
+    fn names<M: SetMember>(&self, id: &M::Id, member: &M) -> bool {
         match self {
             Self::All => true,
             Self::Source => false,
-            Self::Id(pattern) => matches(pattern, id.as_str()),
-            Self::Name(name) => light.name == *name,
+            Self::Id(pattern) => matches(pattern, id.as_ref()),
+            Self::Name(name) => member.name() == name,
             Self::Group(pattern) => {
-                light.groups.iter().any(|group| matches(pattern, group.as_str()))
+                member.groups().iter().any(|group| matches(pattern, group.as_str()))
             }
         }
     }
@@ -115,58 +203,65 @@ impl fmt::Display for SetTerm {
 const SOURCE: &str = "{source}";
 const GROUP: &str = "group:";
 
-/// Reason why a text is no set of lights.
+/// Reason why a text is no set.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{reason} at character {}", at + 1)]
-pub struct LightSetError {
+pub struct SetError {
     /// Number of characters before the problem.
     pub at: usize,
     /// The reason, in a phrase.
     pub reason: String,
 }
 
-impl LightSet {
-    /// The set of all lights.
+impl<M> MemberSet<M> {
+    fn new(text: String, steps: Vec<SetStep>) -> Self {
+        Self { text, steps, member: PhantomData }
+    }
+
+    /// The set of all.
     pub fn all() -> Self {
-        Self { text: "*".to_owned(), steps: vec![SetStep::Term(SetTerm::All)] }
+        Self::new("*".to_owned(), vec![SetStep::Term(SetTerm::All)])
     }
 
-    /// The set of no lights.
+    /// The empty set.
     pub fn none() -> Self {
-        Self { text: String::new(), steps: Vec::new() }
+        Self::new(String::new(), Vec::new())
     }
 
-    /// Reads an expression.
-    ///
-    /// # Errors
-    /// What is wrong in the text, and where.
-    pub fn parse(text: &str) -> Result<Self, LightSetError> {
-        let steps = SetReader::new(text).steps()?;
-        Ok(Self { text: text.to_owned(), steps })
-    }
-
-    /// True if the set has no lights, whichever there are: it says nothing.
+    /// True if the set has no members, whichever there are: it says nothing.
     pub fn is_none(&self) -> bool {
         self.steps.is_empty()
+    }
+
+    /// True if the set has all, whichever there are.
+    pub fn is_all(&self) -> bool {
+        self.text == "*"
     }
 
     /// The expression as it was written.
     pub fn text(&self) -> &str {
         &self.text
     }
+}
 
-    /// Ids of the lights of the set; `source` is what the set was before.
-    pub fn of(
-        &self,
-        lights: &IndexMap<LightId, Light>,
-        source: &BTreeSet<LightId>,
-    ) -> BTreeSet<LightId> {
-        let mut open: Vec<BTreeSet<LightId>> = Vec::new();
+impl<M: SetMember> MemberSet<M> {
+    /// Reads an expression.
+    ///
+    /// # Errors
+    /// What is wrong in the text, and where.
+    pub fn parse(text: &str) -> Result<Self, SetError> {
+        let steps = SetReader::new(text, M::TERMS).steps()?;
+        Ok(Self::new(text.to_owned(), steps))
+    }
+
+    /// Ids of the set's own among all members; `source` is what the set was before.
+    pub fn of(&self, all: &IndexMap<M::Id, M>, source: &BTreeSet<M::Id>) -> BTreeSet<M::Id> {
+        let mut open: Vec<BTreeSet<M::Id>> = Vec::new();
         for step in &self.steps {
             let found = match step {
                 SetStep::Term(SetTerm::Source) => source.clone(),
                 SetStep::Term(term) => {
-                    let named = lights.iter().filter(|(id, light)| term.names(id, light));
+                    let named = all.iter().filter(|(id, member)| term.names(*id, *member));
                     named.map(|(id, _)| id.clone()).collect()
                 }
                 SetStep::Operator(operator) => {
@@ -179,30 +274,25 @@ impl LightSet {
         open.pop().unwrap_or_default()
     }
 
-    /// The set with the lights of a term, too.
+    /// The set with the members of a term, too.
     #[must_use]
     pub fn with(&self, term: &SetTerm) -> Self {
         self.extended(SetOperator::Union, term)
     }
 
-    /// The set without the lights of a term, among these lights: the term goes, and where others
-    /// still name some of its lights, these are taken away.
+    /// The set without the members of a term, among all: the term goes, and where others still name
+    /// some of its members, these are taken away.
     #[must_use]
-    pub fn without(&self, term: &SetTerm, lights: &IndexMap<LightId, Light>) -> Self {
+    pub fn without(&self, term: &SetTerm, all: &IndexMap<M::Id, M>) -> Self {
         let left = self.terms_of_union().map(|mut terms| {
             terms.retain(|own| *own != term);
             let nothing = Self::none();
             terms.into_iter().fold(nothing, |set, own| set.with(own))
         });
         let left = left.unwrap_or_else(|| self.clone());
-        let still = left.of(lights, &BTreeSet::new());
-        let is_still =
-            |(id, light): (&LightId, &Light)| term.names(id, light) && still.contains(id);
-        if lights.iter().any(is_still) {
-            left.extended(SetOperator::Difference, term)
-        } else {
-            left
-        }
+        let still = left.of(all, &BTreeSet::new());
+        let is_still = |(id, member): (&M::Id, &M)| term.names(id, member) && still.contains(id);
+        if all.iter().any(is_still) { left.extended(SetOperator::Difference, term) } else { left }
     }
 
     fn extended(&self, operator: SetOperator, term: &SetTerm) -> Self {
@@ -216,7 +306,7 @@ impl LightSet {
             let sign = if operator == SetOperator::Difference { '-' } else { '|' };
             format!("{} {sign} {term}", self.text.trim())
         };
-        Self { text, steps }
+        Self::new(text, steps)
     }
 
     /// Terms of a set that is nothing but terms joined by `|`.
@@ -232,54 +322,53 @@ impl LightSet {
         self.steps.iter().all(is_union).then(|| terms.collect())
     }
 
-    /// Terms that name none of these lights.
+    /// Terms that name none of all members.
     pub fn idle_terms<'s>(
         &'s self,
-        lights: &'s IndexMap<LightId, Light>,
+        all: &'s IndexMap<M::Id, M>,
     ) -> impl Iterator<Item = &'s SetTerm> + 's {
         let terms = self.steps.iter().filter_map(|step| match step {
             SetStep::Term(SetTerm::All | SetTerm::Source) | SetStep::Operator(_) => None,
             SetStep::Term(term) => Some(term),
         });
-        terms.filter(|term| !lights.iter().any(|(id, light)| term.names(id, light)))
+        terms.filter(|term| !all.iter().any(|(id, member)| term.names(id, member)))
     }
-}
 
-impl LightSet {
-    /// Warnings of terms that name none of these lights; `whose` begins them: whose set it is.
-    pub fn idle_warnings(&self, whose: &str, lights: &IndexMap<LightId, Light>) -> Vec<Diagnostic> {
-        let groups = || lights.values().flat_map(|light| &light.groups).map(AsRef::as_ref);
-        let names = || lights.values().map(|light| &*light.name).filter(|name| !name.is_empty());
+    /// Warnings of terms that name none of all members; `whose` begins them: whose set it is.
+    pub fn idle_warnings(&self, whose: &str, all: &IndexMap<M::Id, M>) -> Vec<Diagnostic> {
+        let groups = || all.values().flat_map(SetMember::groups).map(AsRef::as_ref);
+        let names = || all.values().map(SetMember::name).filter(|name| !name.is_empty());
+        let member = M::WORD;
         let idle = |term: &SetTerm| {
-            let (what, known): (&str, Vec<&str>) = match term {
-                SetTerm::Group(_) => ("group of lights", groups().collect()),
-                SetTerm::Name(_) => ("light of the name", names().collect()),
-                _ => ("light", lights.keys().map(AsRef::as_ref).collect()),
+            let (what, known): (String, Vec<&str>) = match term {
+                SetTerm::Group(_) => (format!("group of {member}s"), groups().collect()),
+                SetTerm::Name(_) => (format!("{member} of the name"), names().collect()),
+                _ => (member.to_owned(), all.keys().map(AsRef::as_ref).collect()),
             };
             let word = term.word();
             let message = format!("{whose} names the {what} `{word}`, which there is not");
-            Diagnostic::warning("unknown-light", message).suggest(word, known)
+            Diagnostic::warning(M::UNKNOWN, message).suggest(word, known)
         };
-        self.idle_terms(lights).map(idle).collect()
+        self.idle_terms(all).map(idle).collect()
     }
 }
 
-impl fmt::Debug for LightSet {
+impl<M> fmt::Debug for MemberSet<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "LightSet({:?})", self.text)
+        write!(f, "MemberSet({:?})", self.text)
     }
 }
 
-impl TryFrom<String> for LightSet {
-    type Error = LightSetError;
+impl<M: SetMember> TryFrom<String> for MemberSet<M> {
+    type Error = SetError;
 
-    fn try_from(text: String) -> Result<Self, LightSetError> {
+    fn try_from(text: String) -> Result<Self, SetError> {
         Self::parse(&text)
     }
 }
 
-impl From<LightSet> for String {
-    fn from(set: LightSet) -> Self {
+impl<M> From<MemberSet<M>> for String {
+    fn from(set: MemberSet<M>) -> Self {
         set.text
     }
 }
@@ -328,6 +417,8 @@ enum WaitingMark {
 /// Reader of an expression: operators wait until what stands to their right is read.
 struct SetReader<'t> {
     text: &'t str,
+    /// Terms that there may be, in words.
+    terms: &'static str,
     /// Bytes that were read.
     read: usize,
     steps: Vec<SetStep>,
@@ -335,15 +426,15 @@ struct SetReader<'t> {
 }
 
 impl<'t> SetReader<'t> {
-    fn new(text: &'t str) -> Self {
-        Self { text, read: 0, steps: Vec::new(), waiting: Vec::new() }
+    fn new(text: &'t str, terms: &'static str) -> Self {
+        Self { text, terms, read: 0, steps: Vec::new(), waiting: Vec::new() }
     }
 
-    fn error(&self, at: usize, reason: impl Into<String>) -> LightSetError {
-        LightSetError { at: self.text[..at].chars().count(), reason: reason.into() }
+    fn error(&self, at: usize, reason: impl Into<String>) -> SetError {
+        SetError { at: self.text[..at].chars().count(), reason: reason.into() }
     }
 
-    fn steps(mut self) -> Result<Vec<SetStep>, LightSetError> {
+    fn steps(mut self) -> Result<Vec<SetStep>, SetError> {
         let mut wants_term = true;
         loop {
             self.read += self.rest().len() - self.rest().trim_start().len();
@@ -359,7 +450,7 @@ impl<'t> SetReader<'t> {
                     return Err(self.error(at, "`|`, `-` or `&` is missing"));
                 }
                 SetToken::Operator(_) | SetToken::Close if wants_term => {
-                    return Err(self.error(at, "a light or a group is missing"));
+                    return Err(self.error(at, format!("{} is missing", self.terms)));
                 }
                 SetToken::Operator(operator) => {
                     self.finish(|waiting| !operator.binds_more(waiting));
@@ -376,7 +467,7 @@ impl<'t> SetReader<'t> {
         }
         // An empty text is the set of no lights.
         if wants_term && !(self.steps.is_empty() && self.waiting.is_empty()) {
-            return Err(self.error(self.text.len(), "a light or a group is missing"));
+            return Err(self.error(self.text.len(), format!("{} is missing", self.terms)));
         }
         self.finish(|_| true);
         match self.waiting.pop() {
@@ -401,7 +492,7 @@ impl<'t> SetReader<'t> {
     }
 
     /// The next part of the text; `None` at its end.
-    fn token(&mut self) -> Result<Option<SetToken>, LightSetError> {
+    fn token(&mut self) -> Result<Option<SetToken>, SetError> {
         let (rest, at) = (self.rest(), self.read);
         let Some(first) = rest.chars().next() else { return Ok(None) };
         let mark = match first {
@@ -448,7 +539,7 @@ impl<'t> SetReader<'t> {
     }
 
     /// A name up to the closing quote.
-    fn quoted(&mut self) -> Result<String, LightSetError> {
+    fn quoted(&mut self) -> Result<String, SetError> {
         let (inside, at) = (&self.rest()[1..], self.read);
         let length = inside.find('"').ok_or_else(|| self.error(at, "this `\"` is not closed"))?;
         self.read += length + 2;
@@ -456,7 +547,7 @@ impl<'t> SetReader<'t> {
     }
 
     /// A word that can be an id, whatever `*` and `?` in it stand for.
-    fn checked(&self, word: &str, at: usize) -> Result<String, LightSetError> {
+    fn checked(&self, word: &str, at: usize) -> Result<String, SetError> {
         if is_slug(&word.replace(['*', '?'], "_")) {
             return Ok(word.to_owned());
         }
@@ -474,7 +565,6 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::ids::LightGroup;
 
     fn lights() -> IndexMap<LightId, Light> {
         let light = |name: &str, groups: &[&str]| Light {
@@ -543,7 +633,7 @@ mod tests {
             ("key | {sauce}", 6, "`{` is no id; write a name with other letters in double quotes"),
         ] {
             let found = LightSet::parse(text).expect_err(text);
-            assert_eq!(found, LightSetError { at, reason: reason.to_owned() }, "{text}");
+            assert_eq!(found, SetError { at, reason: reason.to_owned() }, "{text}");
         }
     }
 
