@@ -44,6 +44,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         looks: vec![Some(look); mesh.parts.len()],
         values: chiaro::document::Values::default(),
         light_link: Default::default(),
+        shadow_link: Default::default(),
     }
 }
 

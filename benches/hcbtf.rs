@@ -93,6 +93,7 @@ fn object(name: &str, matrix: DMat4) -> SetupObject {
         world_from_object,
         values: Default::default(),
         light_link: Default::default(),
+        shadow_link: Default::default(),
     }
 }
 

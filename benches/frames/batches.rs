@@ -118,6 +118,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         looks: vec![Some(look)],
         values: Values::new(),
         light_link: Default::default(),
+        shadow_link: Default::default(),
     }
 }
 

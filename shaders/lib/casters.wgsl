@@ -1,22 +1,23 @@
 // Rays from a surface toward a light, past the triangles of all objects that cast shadows.
 //
-// `Casters` is one texture, filled row by row (`src/scene/frame/casters/`). It begins with four
+// `Casters` is one texture, filled row by row (`src/scene/frame/casters.rs`). It begins with four
 // texels for each object: three rows of the matrix from world space to the space of the object's
 // triangles, which lie within 1 of its origin; then the texel at which the object's tree begins,
-// the tree's number of nodes and the object's number. Then come trees over objects, and last the
-// objects' own trees, each followed by its triangles' corners and by the normals there.
+// the tree's number of nodes, the object's number and the number of triangles. Then come trees
+// over objects, and last the objects' own trees, each followed by its triangles' corners and by
+// the normals there.
 //
 // A node of a tree is two texels: the least corner of its box with the node that follows where the
 // box is missed, and the greatest corner with what the node holds: a triangle, an object's texel,
 // or -1 for more nodes, which come next. So no stack is needed, and every walk ends: nodes follow
-// one another upward. Places of nodes are counted in an object's tree from its begin, and in a tree
-// over objects as texels of the texture.
+// one another upward. Places of nodes are counted in an object's tree from its begin, and in a
+// tree over objects as texels of the texture.
 //
 // A ray of f32 starts beside the surface that it leaves. What is as near as such roundings is no
-// blocker: a triangle whose plane holds the ray's start. Nor is, for rays from a pixel's corners, the
-// back of a triangle as near as the corner is: there the start has slipped under the surface beside
-// its own. Nor, of the object itself, the triangle that the ray leaves, from which curved surfaces
-// start a little above, on the planes of its corners' normals (Hanika 2021).
+// blocker: a triangle whose plane holds the ray's start. Nor is, for rays from a pixel's corners,
+// the back of a triangle as near as the corner is: there the start has slipped under the surface
+// beside its own. Nor, of the object itself, the triangle that the ray leaves, from which curved
+// surfaces start a little above, on the planes of its corners' normals (Hanika 2021).
 import chiaro::types;
 import chiaro::numeric;
 

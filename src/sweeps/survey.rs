@@ -162,6 +162,12 @@ pub async fn survey(
     Ok(report.with(found))
 }
 
+/// An executor on a device of its own: software Vulkan keeps memory of each shader as long as the
+/// device lives, which sixty looks would fill.
+async fn precise() -> Result<Box<dyn Executor + Send>, MeasureError> {
+    Ok(Gpu::headless().await?.precise().executor())
+}
+
 /// State that workers share.
 struct SurveyState<'a> {
     survey: &'a Survey,
@@ -191,24 +197,16 @@ impl SurveyState<'_> {
 
     /// Does jobs until there are no more, on a device of its own.
     async fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
-        let gpu = Gpu::headless().await?;
-        let precise = gpu.precise();
-        let mut renderer = Renderer::new(gpu);
+        let mut renderer = Renderer::new(Gpu::headless().await?);
         let mut lab = Laboratory::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
                 SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
-                // Each look has an executor of its own, which frees the look's shaders and textures
-                // after it.
-                SurveyTask::Look(path) => {
-                    self.measure_look(path, &mut *precise.with_own_store().executor()).await
-                }
+                SurveyTask::Look(path) => self.measure_look(path, &mut *precise().await?).await,
                 SurveyTask::Stability(path) => {
-                    self.measure_stability(path, &mut *precise.with_own_store().executor()).await
+                    self.measure_stability(path, &mut *precise().await?).await
                 }
-                SurveyTask::Large(path) => {
-                    self.measure_large(path, &mut *precise.with_own_store().executor()).await
-                }
+                SurveyTask::Large(path) => self.measure_large(path, &mut *precise().await?).await,
             }?;
             if tell.send(WorkerMessage::Finished(number, found)).is_err() {
                 break;

@@ -1,6 +1,7 @@
 //! Shadows by rays of their own in f64, each past all triangles: coverage of pixels at edges, soft
 //! shadows, blockers, and hard cases.
 #![cfg(feature = "gpu")]
+#![allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 
 use std::collections::HashMap;
 
@@ -51,19 +52,17 @@ impl TestLight {
 fn shown(kind: &str, output: &str, light: TestLight, values: &Json) -> SetupLook {
     let mut values = values.clone();
     values["light"] = json!("key");
-    look(
-        &json!({"lights": {"key": light.json()}, "nodes": [{"id": "shadow", "kind": kind, "values": values},
+    look(&json!({"lights": {"key": light.json()}, 
+            "nodes": [{"id": "shadow", "kind": kind, "values": values},
             {"id": "output", "kind": "output"}],
-        "wires": [{"from": format!("shadow.{output}"), "to": "output.color"}]}),
-    )
+        "wires": [{"from": format!("shadow.{output}"), "to": "output.color"}]}))
 }
 
 /// A look that shows nothing of a light.
 fn plain() -> SetupLook {
-    look(
-        &json!({"nodes": [{"id": "gray", "kind": "color_value"}, {"id": "output", "kind": "output"}],
-        "wires": [{"from": "gray", "to": "output.color"}]}),
-    )
+    look(&json!({"nodes": [{"id": "gray", "kind": "color_value"},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "gray", "to": "output.color"}]}))
 }
 
 /// A scene over which the camera looks down the y axis from a height, x to the right and -z up. It
@@ -113,8 +112,8 @@ fn triangles(parts: &[(Mesh, DMat4)]) -> Vec<[DVec3; 3]> {
     parts.iter().flat_map(of).collect()
 }
 
-/// How far a ray comes before a triangle: the plane is met, and the place lies on the same side of
-/// all three edges.
+/// Distance that a ray comes before a triangle: the plane is met, and the place lies on the same
+/// side of all three edges.
 fn met(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
     let normal = (b - a).cross(c - a);
     let slope = normal.dot(direction);
@@ -435,8 +434,8 @@ fn no_facet_shows_where_a_smooth_body_turns_from_the_light() {
         let show =
             |look: SetupLook| on_gpu(&scene_of(vec![(look, mesh.clone(), placed)], scene.clone()));
         let dark = show(shown("self_shadow", "shadow", light, &json!({})));
-        let facing = show(look(
-            &json!({"lights": {"key": light.json()},     "nodes": [{"id": "key", "kind": "light", "values": {"light": "key"}},
+        let facing = show(look(&json!({"lights": {"key": light.json()}, "nodes": [
+                {"id": "key", "kind": "light", "values": {"light": "key"}},
                 {"id": "parts", "kind": "light_parts"}, {"id": "normal", "kind": "normal"},
                 {"id": "cosine", "kind": "dot_product"},
                 {"id": "half", "kind": "multiply", "values": {"b": 0.5}},
@@ -445,8 +444,7 @@ fn no_facet_shows_where_a_smooth_body_turns_from_the_light() {
             "wires": [{"from": "key", "to": "parts.light"},
                 {"from": "parts.direction", "to": "cosine.a"},
                 {"from": "normal", "to": "cosine.b"}, {"from": "cosine", "to": "half.a"},
-                {"from": "half", "to": "middle.a"}, {"from": "middle", "to": "output.color"}]}),
-        ));
+                {"from": "half", "to": "middle.a"}, {"from": "middle", "to": "output.color"}]})));
         let (mut lit, mut away) = (0, 0);
         for (pixel, (dark, own)) in dark.iter().zip(&facing).enumerate() {
             let cosine = 2.0 * own - 1.0;
@@ -471,7 +469,10 @@ fn no_facet_shows_where_a_smooth_body_turns_from_the_light() {
 fn linked(cube: ShadowLink, of_lights: [&str; 2]) -> [usize; 2] {
     let light = |toward: [f64; 3]| TestLight::Sun(DVec3::from(toward)).json();
     let lights = json!({"key": light([0.0, 1.0, 0.0]), "rim": light([0.0, 1.0, 0.01])});
-    let shadow = |id: &str, light: &str| json!({"id": id, "kind": "cast_shadow", "values": {"light": light}});
+    let shadow = |id: &str, light: &str| {
+        let values = json!({"light": light});
+        json!({"id": id, "kind": "cast_shadow", "values": values})
+    };
     let floor_look = look(
         &json!({"lights": lights, "nodes": [shadow("a", of_lights[0]), shadow("b", of_lights[1]),
             {"id": "both", "kind": "multiply"}, {"id": "output", "kind": "output"}],
@@ -525,7 +526,7 @@ fn objects_cast_the_shadows_that_their_links_say() {
     assert!(linked(of("*", "rim", "*", ""), ["key", "key"])[0] > 300);
 }
 
-/// What no ray can make sense of leaves numbers from 0 to 1, and shadows where there are any.
+/// Scenes that no ray can make sense of leave numbers from 0 to 1, and shadows where there are any.
 #[test]
 fn hard_cases_of_rays_stay_shadows() {
     let flat = DMat4::from_translation(DVec3::new(0.0, UNSEEN, 0.0))

@@ -11,8 +11,8 @@
 //!        | "(" set ")"
 //! ```
 //!
-//! An id may hold `-`, so a `-` that takes away stands apart from words. The empty text is the empty
-//! set.
+//! An id may hold `-`, so a `-` that takes away stands apart from words. The empty text is the
+//! empty set.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -154,15 +154,15 @@ impl SetOperator {
 /// Name of members in a set.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum SetTerm {
-    /// All: `*`.
+    /// All members: `*`.
     All,
-    /// Those of the set that was there before: `{source}`.
+    /// Members of the set that was there before: `{source}`.
     Source,
-    /// Those of an id, in which `*` and `?` stand for any letters.
+    /// Members of an id, in which `*` and `?` stand for any letters.
     Id(String),
-    /// Those of a name, in double quotes.
+    /// Members of a name, in double quotes.
     Name(String),
-    /// Those of a group, in which `*` and `?` stand for any letters.
+    /// Members of a group, in which `*` and `?` stand for any letters.
     Group(String),
 }
 

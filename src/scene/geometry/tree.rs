@@ -79,9 +79,9 @@ impl Walk {
 }
 
 /// A box for a tree.
-struct Boxed(Aabb);
+struct BuilderBox(Aabb);
 
-impl Boundable for Boxed {
+impl Boundable for BuilderBox {
     fn aabb(&self) -> Aabb {
         self.0
     }
@@ -104,7 +104,7 @@ pub struct BoxNode {
 pub fn tree_of_boxes(boxes: &[[DVec3; 2]]) -> Vec<BoxNode> {
     let corner = |v: DVec3| Vec3A::from(v.as_vec3());
     let boxed = |[least, greatest]: &[DVec3; 2]| {
-        Boxed(Aabb { min: corner(*least), max: corner(*greatest) })
+        BuilderBox(Aabb { min: corner(*least), max: corner(*greatest) })
     };
     let tree = built(&boxes.iter().map(boxed).collect::<Vec<_>>(), 1);
     let walk = Walk::new(&tree);
@@ -165,7 +165,7 @@ impl MeshTree {
         let corners: Vec<[u32; 3]> = corners.collect();
         let boxes = corners.iter().map(|corners| {
             let [a, b, c] = corners.map(placed);
-            Boxed(Aabb { min: a.min(b).min(c).into(), max: a.max(b).max(c).into() })
+            BuilderBox(Aabb { min: a.min(b).min(c).into(), max: a.max(b).max(c).into() })
         });
         let tree = built(&boxes.collect::<Vec<_>>(), MOST_IN_NODE);
         let walk = Walk::new(&tree);

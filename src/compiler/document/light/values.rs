@@ -32,7 +32,7 @@ pub struct LightValues {
     pub cone: [f64; 2],
     /// The kind of light.
     pub kind: LightKind,
-    /// What casts this light's shadows onto the object that is lit: [`Self::NO_CASTERS`], or a
+    /// Casters of this light's shadows onto the object that is lit: [`Self::NO_CASTERS`], or a
     /// number that the scene's casters give.
     pub casters: f64,
 }

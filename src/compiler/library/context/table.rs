@@ -325,7 +325,8 @@ pub(super) const TABLE: &[Row] = &[
         "pixel_across",
         "vec3f",
         "dpdx(in.position)",
-        "from the fragment's place on the surface to that of its neighbor to the right, world space",
+        "from the fragment's place on the surface to that of its neighbor to the right, world \
+         space",
     )
     .within(ContextBounds::Within(4.0 * MAX_PLACE))
     .sampled(&[], |_| vec3(DVec3::ZERO)),

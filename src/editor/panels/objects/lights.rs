@@ -1,5 +1,5 @@
-//! Links of an object: the set of lights that reach it, and of those that do not all the same; whose
-//! shadows it casts, and onto what.
+//! Links of an object: the set of lights that reach it, and of those that do not all the same;
+//! whose shadows it casts, and onto what.
 
 use eframe::egui::{CollapsingHeader, Id, Ui};
 
@@ -15,8 +15,8 @@ const SETS: &str = "* is every light. key | group:rim - group:set says more: ids
                     groups, with | for either, - for without, & for both, and ( )";
 
 /// Words on how a set of objects is written, for tooltips.
-const OBJECTS: &str = "* is every object. floor | wall-* says more: ids, with | for either, - for without, & for \
-     both, and ( )";
+const OBJECTS: &str = "* is every object. floor | wall-* says more: ids, with | for either, - for \
+                       without, & for both, and ( )";
 
 /// Row for a set of an object.
 struct SetRow<M: SetMember> {

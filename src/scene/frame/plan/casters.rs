@@ -43,11 +43,11 @@ impl PlannedCasters {
 
 /// Shadows of an object.
 enum Shadows {
-    /// It casts none.
+    /// No shadows.
     None,
-    /// Those of all lights, onto all objects.
+    /// Shadows of all lights, onto all objects.
     All,
-    /// Those of these lights, onto these objects.
+    /// Shadows of these lights, onto these objects.
     Of(BTreeSet<LightId>, BTreeSet<ObjectId>),
 }
 
