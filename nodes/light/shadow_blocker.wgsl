@@ -23,12 +23,14 @@ fn shadow_blocker(
     source: vec4f,
     caster_set: f32,
     position: vec3f,
+    normal: vec3f,
     across: vec3f,
     down: vec3f,
     object: f32,
     casters: Casters,
 ) -> ShadowBlocker {
-    let receiver = Receiver(position, across, down, source, 0.0, caster_set, object, facet);
+    let receiver = seen_by(Receiver(position, across, down, source, 0.0, caster_set, object, facet),
+        normal);
     return found_blocker(blocker_of_pixel(casters, receiver));
 }
 
@@ -37,11 +39,12 @@ fn shadow_blocker_fast(
     source: vec4f,
     caster_set: f32,
     position: vec3f,
+    normal: vec3f,
     object: f32,
     casters: Casters,
 ) -> ShadowBlocker {
-    let receiver = Receiver(position, vec3f(0.0), vec3f(0.0), source, 0.0, caster_set, object,
-        facet);
+    let receiver = seen_by(Receiver(position, vec3f(0.0), vec3f(0.0), source, 0.0, caster_set,
+        object, facet), normal);
     return found_blocker(blocker_of_ray(casters, receiver, vec2f(0.0)));
 }
 

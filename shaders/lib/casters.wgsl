@@ -514,6 +514,17 @@ fn own_shadow(casters: Casters, receiver: Receiver, away: f32) -> f32 {
     return max(away, shadow_of_pixel(casters, receiver, true));
 }
 
+/// The receiver whose rays start on its facet where it is turned away from the light: they lead
+/// through the body, and start above it only where they leave it.
+fn seen_by(receiver: Receiver, normal: vec3f) -> Receiver {
+    let toward = ray_from(receiver, vec2f(0.0), vec2f(0.0)).direction;
+    var seen = receiver;
+    if dot(normal, toward) <= 0.0 {
+        seen.facet.lift = vec3f(0.0);
+    }
+    return seen;
+}
+
 /// What first blocks the ray from a place of a pixel: how far away it is, in scene units, and the
 /// number of its object; both below 0 where nothing does.
 fn blocker_of_ray(casters: Casters, receiver: Receiver, at: vec2f) -> vec2f {

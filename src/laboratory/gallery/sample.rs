@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value as Json;
 
 use crate::catalog::{Catalog, NodeKind, Port};
@@ -10,15 +11,19 @@ use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Light, LightKind, LightSpace, Look, Node, Value, Values, Wire};
 use crate::examples;
 use crate::frame::{
-    Assets, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup,
+    Assets, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, SetupObject,
+    default_setup,
 };
 use crate::library::{Fallback, Library, Type};
 use crate::progress::Progress;
 
 /// Table of samples that show more of a node than its defaults, by kind: values as in a look's
 /// JSON, the source that `feed`s each input, the factor of the output (`times`), the own shape to
-/// show the node on (`mesh`); or `null` if nothing of the node can be seen.
+/// show the node on (`mesh`), the own shape that hangs before the light unseen (`caster`); or
+/// `null` if nothing of the node can be seen.
 const VALUES: &str = crate::NODE_SAMPLES;
+/// Direction toward the light of samples.
+const KEY: [f64; 3] = [-0.5, 0.6, 0.62];
 /// Own shape of the samples for which the table names no other.
 const MESH: &str = "sphere";
 /// Id of the node itself in the sample's look.
@@ -37,6 +42,7 @@ struct NodeSample {
     feed: Vec<(String, String)>,
     times: Option<f64>,
     mesh: String,
+    caster: Option<String>,
 }
 
 /// A look that shows the first output of a node of `kind`; `None` if nothing of it can be seen.
@@ -45,7 +51,7 @@ fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Lo
         return joined_look(kind);
     }
     let mut build = Build { look: Look::default(), catalog };
-    let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
+    let lights = [("key", KEY), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
         build.look.lights.insert(id.into(), Light { direction, ..Light::default() });
     }
@@ -149,6 +155,9 @@ impl NodeSample {
             }
             if let Some(Json::String(mesh)) = own.remove("mesh") {
                 showing.mesh = mesh;
+            }
+            if let Some(Json::String(caster)) = own.remove("caster") {
+                showing.caster = Some(caster);
             }
             showing.times = own.remove("times").and_then(|times| times.as_f64());
             // Values are read as a document's: its reader tells numbers, colors, curves and ramps
@@ -340,12 +349,26 @@ pub(super) async fn picture(
 ) -> Result<Option<Picture>, Vec<Diagnostic>> {
     let Some(showing) = NodeSample::of(kind) else { return Ok(None) };
     let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
+    let caster = showing.caster.clone();
     let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
     let mut assets = Assets::default();
     // The look was made in code, so it has no source text.
     let source = Look::read("{}", &kind.id).source.into();
     let look = SetupLook { look, source, folder: folder.to_path_buf() };
     let mut setup = default_setup(look, &mesh, &mut assets)?.value;
+    if let Some(caster) = caster {
+        let toward = DVec3::from(KEY).normalize();
+        setup.objects.push(SetupObject {
+            id: "caster".into(),
+            mesh: assets.mesh(folder, &format!("{SHAPE_PREFIX}{caster}"))?.value,
+            world_from_object: DMat4::from_scale_rotation_translation(
+                DVec3::splat(0.62),
+                DQuat::from_rotation_arc(DVec3::Z, toward),
+                2.8 * toward,
+            ),
+            ..setup.objects[0].clone()
+        });
+    }
     setup.scene.backdrop = None;
     if mesh.ends_with(MESH) {
         // The sphere fills its picture.
@@ -395,7 +418,7 @@ mod tests {
                 .flat_map(|feed| feed.keys());
             for port in values
                 .keys()
-                .filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh"))
+                .filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh" | "caster"))
                 .chain(fed)
             {
                 assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
