@@ -15,6 +15,10 @@ pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
         let _ =
             writeln!(text, "  {:16} {}\n  {:16} costs {}", pass.what, pass.reason, "", pass.cost);
     }
+    for casters in report.effects.iter().filter(|effect| effect.kind == EffectKind::Casters) {
+        let Effect { what, reason, cost, .. } = casters;
+        let _ = writeln!(text, "\nShadows\n  {what:16} {reason}\n  {:16} costs {cost}", "");
+    }
     if !report.dropped.is_empty() {
         text += "\nLeft out\n";
         for dropped in &report.dropped {

@@ -174,7 +174,7 @@ fn casters(plan: &FramePlan) -> Option<Effect> {
     );
     let [width, height] = casters.size().map(u64::from);
     let cost = EffectCost::bytes(16 * width * height);
-    Some(Effect::runs("casters of shadows", EffectKind::Casters, reason).costs(cost))
+    Some(Effect::runs("shadow casters", EffectKind::Casters, reason).costs(cost))
 }
 
 fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
