@@ -706,6 +706,33 @@ fn lights_are_linked_to_an_object_by_a_set() {
 }
 
 #[test]
+fn shadows_of_an_object_are_linked_by_sets() {
+    let home = Home::new();
+    let lit = r#""camera": {"eye": [0, 0, 9]}, "lights": {"key": {"direction": [1, 1, 1]}}"#;
+    fs::write(home.scene(), TWO.replace(r#""camera": {"eye": [0, 0, 9]}"#, lit)).unwrap();
+    let mut hand = home.window(Some(&home.scene()));
+    press(&mut hand, "Object ring");
+    hand.harness.get_by_label("Shadows").scroll_to_me();
+    hand.settle();
+    press(&mut hand, "Shadows");
+    let set = |hand: &mut User, field: &str, text: &str| {
+        hand.bring(Role::TextInput, field);
+        set_text(hand, field, text);
+    };
+    set(&mut hand, "Of lights", "key");
+    set(&mut hand, "Onto", "* - ball");
+    let ring = scene(&hand).objects["ring"].shadow_link();
+    assert_eq!((ring.shadowed.text(), ring.shadows_on.text()), ("key", "* - ball"));
+    set(&mut hand, "Not onto", "(");
+    assert!(sees(&hand, "an object is missing at character 2"));
+    hand.key(Key::Enter);
+    hand.settle();
+    hand.undo();
+    hand.undo();
+    assert!(scene(&hand).objects["ring"].shadow_link().is_all(), "one stay in a field is a step");
+}
+
+#[test]
 fn groups_of_a_light_are_typed_with_commas() {
     let mut hand = User::new();
     let light = "{\"chiaro\": \"look\", \"lights\": {\"sun\": {}}}";
