@@ -89,3 +89,21 @@ fn casters_are_made_anew_where_objects_move() {
     assert!(first != second, "the shadow moved");
     assert!(block_on(renderer.draw(&still)).is_ok_and(|ran| ran.is_empty()));
 }
+
+/// An export has no scene to send rays past: it is refused, and the nodes are named.
+#[test]
+fn an_export_refuses_looks_that_send_rays() {
+    let export = |share: f64| {
+        let languages = &chiaro::export::LANGUAGES;
+        let assets = (std::path::Path::new(""), &mut chiaro::frame::Assets::default());
+        chiaro::export::export(&shaded(share).look, Library::built_in(), "a", languages, assets)
+    };
+    let problems = export(0.5).expect_err("it sends rays");
+    let told: Vec<_> = problems
+        .iter()
+        .map(|problem| (problem.code, problem.place.node.as_ref().map(ToString::to_string)))
+        .collect();
+    assert_eq!(told[0], ("export-casters", Some("shadow/others".to_owned())), "{problems:?}");
+    assert!(problems.iter().all(|problem| !problem.hints.is_empty()));
+    assert!(export(0.0).is_ok(), "what is not seen sends none");
+}
