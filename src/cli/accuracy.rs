@@ -41,7 +41,7 @@ pub(super) struct Arguments {
     #[arg(short, long)]
     quick: bool,
     /// Each look at 4096 pixels too, where the rows in the middle are compared: twenty seconds a
-    /// look, and up to sixteen gigabytes of memory
+    /// look, and up to ten gigabytes of memory
     #[arg(long)]
     large: bool,
     /// A folder to write the worst inputs into, which a test then holds
