@@ -672,13 +672,19 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     assert!(hand.app().session().open_scene().is_none());
 }
 
-#[test]
-fn lights_are_linked_to_an_object_by_a_set() {
-    let home = Home::new();
+/// A window with a scene that has a light, and its ring chosen.
+fn lit_window(home: &Home) -> User {
     let lit = r#""camera": {"eye": [0, 0, 9]}, "lights": {"key": {"direction": [1, 1, 1]}}"#;
     fs::write(home.scene(), TWO.replace(r#""camera": {"eye": [0, 0, 9]}"#, lit)).unwrap();
     let mut hand = home.window(Some(&home.scene()));
     press(&mut hand, "Object ring");
+    hand
+}
+
+#[test]
+fn lights_are_linked_to_an_object_by_a_set() {
+    let home = Home::new();
+    let mut hand = lit_window(&home);
     let sets = |hand: &User| {
         let ring = &scene(hand).objects["ring"];
         [ring.linked.text().to_owned(), ring.unlinked.text().to_owned()]
@@ -708,10 +714,7 @@ fn lights_are_linked_to_an_object_by_a_set() {
 #[test]
 fn shadows_of_an_object_are_linked_by_sets() {
     let home = Home::new();
-    let lit = r#""camera": {"eye": [0, 0, 9]}, "lights": {"key": {"direction": [1, 1, 1]}}"#;
-    fs::write(home.scene(), TWO.replace(r#""camera": {"eye": [0, 0, 9]}"#, lit)).unwrap();
-    let mut hand = home.window(Some(&home.scene()));
-    press(&mut hand, "Object ring");
+    let mut hand = lit_window(&home);
     hand.harness.get_by_label("Shadows").scroll_to_me();
     hand.settle();
     press(&mut hand, "Shadows");

@@ -4,7 +4,7 @@
 use eframe::egui::{CollapsingHeader, Id, Ui};
 
 use crate::commands::SceneCommand;
-use crate::document::{MemberSet, Object, SetMember};
+use crate::document::{Light, MemberSet, Object, SetMember};
 use crate::fields::row::labelled;
 use crate::ids::ObjectId;
 use crate::state::scene::OpenScene;
@@ -25,6 +25,44 @@ struct SetRow<M: SetMember> {
     set: fn(&mut Object) -> &mut MemberSet<M>,
 }
 
+/// Lights that reach an object.
+const REACH: [SetRow<Light>; 2] = [
+    SetRow { label: "Lit by", help: "Lights that reach it.", set: |object| &mut object.linked },
+    SetRow {
+        label: "Not lit by",
+        help: "Lights that do not reach it all the same; {source} is Lit by.",
+        set: |object| &mut object.unlinked,
+    },
+];
+
+/// Lights whose shadows an object casts.
+const SHADOWS_OF: [SetRow<Light>; 2] = [
+    SetRow {
+        label: "Of lights",
+        help: "Lights whose shadows it casts, where looks ask for shadows.",
+        set: |object| &mut object.shadowed,
+    },
+    SetRow {
+        label: "Not of lights",
+        help: "Lights whose shadows it does not cast all the same; {source} is Of lights.",
+        set: |object| &mut object.unshadowed,
+    },
+];
+
+/// Objects that the shadows of an object fall on.
+const SHADOWS_ON: [SetRow<Object>; 2] = [
+    SetRow {
+        label: "Onto",
+        help: "Objects that its shadows fall on, itself among them.",
+        set: |object| &mut object.shadows_on,
+    },
+    SetRow {
+        label: "Not onto",
+        help: "Objects that they do not fall on all the same; {source} is Onto.",
+        set: |object| &mut object.no_shadows_on,
+    },
+];
+
 /// Shows the links of an object, where the scene has lights to share out.
 pub(super) fn show(
     ui: &mut Ui,
@@ -37,67 +75,42 @@ pub(super) fn show(
     if open_scene.scene().lights.is_empty() && is_plain {
         return;
     }
-    let of = (open_scene, id, object);
+    // Rows reach into an object that may be changed; this one is not.
+    let mut now = object.clone();
+    let mut rows = ObjectRows { open_scene, id, now: &mut now, out };
     ui.push_id((id, "lights"), |ui| {
-        SetRow { label: "Lit by", help: "Lights that reach it.", set: |object| &mut object.linked }
-            .show(ui, of, SETS, out);
-        SetRow {
-            label: "Not lit by",
-            help: "Lights that do not reach it all the same; {source} is Lit by.",
-            set: |object| &mut object.unlinked,
-        }
-        .show(ui, of, SETS, out);
+        rows.show(ui, REACH, SETS);
         let header = CollapsingHeader::new("Shadows")
             .id_salt("shadows")
             .default_open(!object.shadow_link().is_all());
-        header.show(ui, |ui| shadows(ui, of, out));
+        header.show(ui, |ui| {
+            rows.show(ui, SHADOWS_OF, SETS);
+            rows.show(ui, SHADOWS_ON, OBJECTS);
+        });
     });
 }
 
-/// Shows whose shadows an object casts, and onto what.
-fn shadows(ui: &mut Ui, of: (&OpenScene, &ObjectId, &Object), out: &mut Vec<SceneCommand>) {
-    SetRow {
-        label: "Of lights",
-        help: "Lights whose shadows it casts, where looks ask for shadows.",
-        set: |object| &mut object.shadowed,
-    }
-    .show(ui, of, SETS, out);
-    SetRow {
-        label: "Not of lights",
-        help: "Lights whose shadows it does not cast all the same; {source} is Of lights.",
-        set: |object| &mut object.unshadowed,
-    }
-    .show(ui, of, SETS, out);
-    SetRow {
-        label: "Onto",
-        help: "Objects that its shadows fall on, itself among them.",
-        set: |object| &mut object.shadows_on,
-    }
-    .show(ui, of, OBJECTS, out);
-    SetRow {
-        label: "Not onto",
-        help: "Objects that they do not fall on all the same; {source} is Onto.",
-        set: |object| &mut object.no_shadows_on,
-    }
-    .show(ui, of, OBJECTS, out);
+/// Object whose sets are shown, and the commands that change them.
+struct ObjectRows<'a> {
+    open_scene: &'a OpenScene,
+    id: &'a ObjectId,
+    now: &'a mut Object,
+    out: &'a mut Vec<SceneCommand>,
 }
 
-impl<M: SetMember + 'static> SetRow<M> {
-    fn show(
-        self,
-        ui: &mut Ui,
-        (open_scene, id, object): (&OpenScene, &ObjectId, &Object),
-        words: &str,
-        out: &mut Vec<SceneCommand>,
-    ) {
-        let now = (self.set)(&mut object.clone()).clone();
-        labelled(ui, self.label, &format!("{} {words}", self.help), |ui, label| {
-            let edit = field(ui, label, &now).and_then(|(widget, set)| {
-                let edit = open_scene.change(id, |object| *(self.set)(object) = set)?;
-                Some(SceneCommand::EditHeld(widget, edit))
+impl ObjectRows<'_> {
+    /// Shows a row for each set; `words` say how such a set is written.
+    fn show<M: SetMember>(&mut self, ui: &mut Ui, rows: [SetRow<M>; 2], words: &str) {
+        for SetRow { label, help, set } in rows {
+            let now = &*set(self.now);
+            labelled(ui, label, &format!("{help} {words}"), |ui, label| {
+                let edit = field(ui, label, now).and_then(|(widget, changed)| {
+                    let edit = self.open_scene.change(self.id, |object| *set(object) = changed)?;
+                    Some(SceneCommand::EditHeld(widget, edit))
+                });
+                self.out.extend(edit);
             });
-            out.extend(edit);
-        });
+        }
     }
 }
 
