@@ -11,21 +11,22 @@
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 
+#[path = "support/look_pass.rs"]
+mod look_pass;
+
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Instant;
 
-use chiaro::accuracy::TimeEstimate;
-use chiaro::accuracy::cost::alternate;
 use chiaro::compile::{CompileOptions, CompiledShader, Live, Loops, compile};
 use chiaro::document::{LightField, Scene};
-use chiaro::frame::{FramePlan, PassId, PlanOptions, Planner, Setup, SetupLook};
+use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup, SetupLook};
 use chiaro::library::Library;
-use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl;
 use chiaro_test_drawing::eval::{look, scene_of, shape};
 use chiaro_test_drawing::wait::block_on;
+use look_pass::look_passes;
 use serde_json::{Value as Json, json};
 
 const COUNTS: [usize; 10] = [1, 2, 4, 8, 10, 16, 32, 64, 128, 256];
@@ -146,19 +147,6 @@ fn milliseconds(of: impl FnOnce()) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
 
-/// Median times of the look pass of each plan, in turns.
-fn passes(renderer: &mut Renderer, plans: &[FramePlan]) -> Vec<f64> {
-    let plans: Vec<&FramePlan> = plans.iter().collect();
-    let Ok(series) = block_on(alternate(renderer, &plans, ROUNDS, &Progress::new())) else {
-        panic!("it was stopped");
-    };
-    let own = |passes: &[(PassId, Vec<f64>)]| {
-        let times = passes.iter().find(|(pass, _)| *pass == PassId::LOOK);
-        TimeEstimate::of(times.map_or(&[], |(_, times)| times)).median
-    };
-    series.iter().map(|series| own(&series.passes)).collect()
-}
-
 fn main() {
     let words: Vec<String> =
         std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
@@ -202,7 +190,7 @@ fn main() {
                     milliseconds(|| drop(block_on(renderer.picture(plan)).expect("it draws")))
                 })
                 .collect();
-            let times = passes(&mut renderer, &plans);
+            let times = look_passes(&mut renderer, &plans, ROUNDS);
             let hand = times
                 .get(4)
                 .map_or("-".to_owned(), |hand| format!("{hand:.2} ({:.2})", times[0] / hand));

@@ -1,5 +1,5 @@
 import chiaro::types;
-import chiaro::casters;
+import chiaro::shadows;
 
 /// Shadow blocker
 ///

@@ -1,11 +1,11 @@
 // Rays from a surface toward a light, past the triangles of all objects that cast shadows.
 //
-// `Casters` is one texture, filled row by row (`src/scene/frame/casters.rs`). It begins with four
+// `Casters` is one texture, filled row by row (`src/scene/frame/casters.rs`). It begins with five
 // texels for each object: three rows of the matrix from world space to the space of the object's
-// triangles, which lie within 1 of its origin; then the texel at which the object's tree begins,
-// the tree's number of nodes, the object's number and the number of triangles. Then come trees
-// over objects, and last the objects' own trees, each followed by its triangles' corners and by
-// the normals there.
+// triangles, which lie within 1 of its origin; the texel at which the object's tree begins, the
+// tree's number of nodes, the object's number and the number of triangles; and the `casters` of
+// what stands about it, whatever the light. Then come trees over objects, and last the objects'
+// own trees, each followed by its triangles' corners and by the normals there.
 //
 // A node of a tree is two texels: the least corner of its box with the node that follows where the
 // box is missed, and the greatest corner with what the node holds: a triangle, an object's texel,
@@ -24,14 +24,6 @@ import chiaro::numeric;
 /// What a rounding may leave between a ray's start and the surface that it leaves, for places of
 /// about 1.
 const CASTER_NOISE: f32 = 1e-6;
-
-/// Rays across a pixel where a shadow's edge is, and steps by which each edge is found.
-const EDGE_LINES = 8;
-const EDGE_STEPS = 5;
-
-/// Rays toward a light with a size: first these few, and all where those differ.
-const FIRST_LIGHT_RAYS = 16;
-const LIGHT_RAYS = 64;
 
 /// A ray and what limits it.
 struct Ray {
@@ -60,25 +52,13 @@ struct Facet {
 /// No triangle: for rays that meet other objects alone.
 const NO_FACET = Facet(vec3f(0.0), -1);
 
-/// A surface as its shadows see it.
-struct Receiver {
-    position: vec3f,
-    /// From a pixel's place to those of its neighbors on the right and below.
-    across: vec3f,
-    down: vec3f,
-    /// The light's place and 1, or the direction toward it and 0.
-    source: vec4f,
-    /// Radius of the light: in scene units, or of a directional one at a distance of 1.
-    size: f32,
-    /// The light's `casters`.
-    casters: f32,
-    /// Number of the object.
-    object: f32,
-    facet: Facet,
-}
-
 fn caster_texel(casters: Casters, index: i32) -> vec4f {
     return textureLoad(casters, vec2i(index & 2047, index >> 11u), 0);
+}
+
+/// The texel at which an object's row begins.
+fn object_row(object: f32) -> i32 {
+    return 5 * i32(object);
 }
 
 /// 1/x for numbers that may be 0, within what f32 holds.
@@ -111,26 +91,6 @@ fn noise_among(casters: Casters, row: i32, place: vec3f) -> f32 {
     let far = abs(place);
     let most = max(max(dot(x.xyz, far) + x.w, dot(y.xyz, far) + y.w), dot(z.xyz, far) + z.w);
     return CASTER_NOISE * (1.0 + most);
-}
-
-/// The ray from a place of a pixel, 0,0 its middle and 0.5,0.5 its lower right corner, toward a
-/// place of the light within a disk of radius 1.
-fn ray_from(receiver: Receiver, at: vec2f, of_light: vec2f) -> Ray {
-    let moved = at.x * receiver.across + at.y * receiver.down;
-    let origin = receiver.position + moved;
-    let source = receiver.source;
-    let toward = source.xyz - source.w * origin;
-    let length = sqrt(dot(toward, toward));
-    // Two directions across the way to the light, on the axis that is farthest from it.
-    let axis = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(toward.x) > 0.6 * length);
-    let side = normalize_or(cross(toward, axis), vec3f(0.0, 0.0, 1.0));
-    let up = normalize_or(cross(side, toward), vec3f(0.0, 1.0, 0.0));
-    let aimed = toward + receiver.size * (of_light.x * side + of_light.y * up);
-    let direction = normalize_or(aimed, vec3f(0.0, 0.0, 1.0));
-    // A directional light has no end; a lamp is no blocker of itself.
-    let end = select(1e30, 0.99999 * sqrt(dot(aimed, aimed)), source.w > 0.5);
-    let under = sqrt(dot(moved, moved));
-    return Ray(origin, direction, inverse_of(direction), end, 0.0, under, 2.0 * under);
 }
 
 /// A ray in the space of an object's triangles.
@@ -263,6 +223,11 @@ fn caster_root(casters: f32) -> i32 {
     return i32(floor(0.5 * casters));
 }
 
+/// The `casters` of what stands about an object, whatever the light.
+fn occluders(casters: Casters, object: f32) -> f32 {
+    return caster_texel(casters, object_row(object) + 4).x;
+}
+
 /// True if an object casts a light's shadows onto itself.
 fn casts_on_itself(casters: f32) -> bool {
     return casters - 2.0 * floor(0.5 * casters) > 0.5;
@@ -306,7 +271,7 @@ fn facet_at(
     across: vec3f,
     down: vec3f,
 ) -> Facet {
-    let row = 4 * i32(object);
+    let row = object_row(object);
     let tree = caster_texel(casters, row + 3);
     let begin = i32(tree.x);
     let nodes = i32(tree.y);
@@ -369,192 +334,4 @@ fn lift_of(casters: Casters, corners: i32, normals: i32, point: vec3f, seen: vec
 
 fn lift_to(from_corner: vec3f, normal: vec3f, weight: f32) -> vec3f {
     return -weight * min(dot(from_corner, normal), 0.0) * normal;
-}
-
-/// 1 where a ray is blocked, else 0: by the object itself, or by others.
-fn is_blocked(
-    casters: Casters,
-    receiver: Receiver,
-    at: vec2f,
-    of_light: vec2f,
-    by_itself: bool,
-) -> f32 {
-    let ray = ray_from(receiver, at, of_light);
-    var distance = -1.0;
-    if by_itself {
-        let row = 4 * i32(receiver.object);
-        distance = meets_object(casters, row, ray, receiver.facet, true);
-    } else {
-        let root = caster_root(receiver.casters);
-        distance = meets_others(casters, root, ray, receiver.object, true).x;
-    }
-    return select(0.0, 1.0, distance > 0.0);
-}
-
-/// True if anything casts the light's shadow onto the surface: the object itself, or others.
-fn can_be_blocked(receiver: Receiver, by_itself: bool) -> bool {
-    let has_others = caster_root(receiver.casters) >= 0;
-    return select(has_others, casts_on_itself(receiver.casters), by_itself);
-}
-
-/// The share of a light that is kept from a pixel, by one ray from its middle: 0 or 1.
-fn shadow_of_ray(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
-    if !can_be_blocked(receiver, by_itself) {
-        return 0.0;
-    }
-    return is_blocked(casters, receiver, vec2f(0.0), vec2f(0.0), by_itself);
-}
-
-/// The share of a light that is kept from a pixel, from 0 to 1. Where the pixel's corners and its
-/// middle agree, the pixel does; else the edge is found along lines across it.
-fn shadow_of_pixel(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
-    if !can_be_blocked(receiver, by_itself) {
-        return 0.0;
-    }
-    if receiver.size > 0.0 {
-        return shadow_of_size(casters, receiver, by_itself);
-    }
-    let none = vec2f(0.0);
-    let middle = is_blocked(casters, receiver, none, none, by_itself);
-    let pixel = dot(receiver.across, receiver.across) + dot(receiver.down, receiver.down);
-    if !(pixel > 0.0) {
-        return middle;
-    }
-    let a = is_blocked(casters, receiver, vec2f(-0.5, -0.5), none, by_itself);
-    let b = is_blocked(casters, receiver, vec2f(0.5, -0.5), none, by_itself);
-    let c = is_blocked(casters, receiver, vec2f(-0.5, 0.5), none, by_itself);
-    let d = is_blocked(casters, receiver, vec2f(0.5, 0.5), none, by_itself);
-    let sum = a + b + c + d + middle;
-    if sum == 0.0 || sum == 5.0 {
-        return middle;
-    }
-    // Lines run the way in which the shadow changes most.
-    let is_level = abs(b - a) + abs(d - c) >= abs(c - a) + abs(d - b);
-    let along = select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), is_level);
-    let from_line = select(vec2f(1.0, 0.0), vec2f(0.0, 1.0), is_level);
-    var share = 0.0;
-    for (var line = 0; line < EDGE_LINES; line++) {
-        let place = ((f32(line) + 0.5) / f32(EDGE_LINES) - 0.5) * from_line;
-        share += shadow_of_line(casters, receiver, place, along, by_itself);
-    }
-    return share / f32(EDGE_LINES);
-}
-
-/// The share of a line across a pixel that is in shadow; the edge is found by halving.
-fn shadow_of_line(
-    casters: Casters,
-    receiver: Receiver,
-    place: vec2f,
-    along: vec2f,
-    by_itself: bool,
-) -> f32 {
-    let none = vec2f(0.0);
-    let first = is_blocked(casters, receiver, place - 0.5 * along, none, by_itself);
-    let last = is_blocked(casters, receiver, place + 0.5 * along, none, by_itself);
-    if first == last {
-        let middle = is_blocked(casters, receiver, place, none, by_itself);
-        return 0.5 * (first + middle);
-    }
-    var edge = 0.0;
-    var step = 0.25;
-    for (var count = 0; count < EDGE_STEPS; count++) {
-        let found = is_blocked(casters, receiver, place + edge * along, none, by_itself);
-        edge += select(-step, step, found == first);
-        step *= 0.5;
-    }
-    return mix(last, first, edge + 0.5);
-}
-
-/// The share of a light with a size that is kept from a pixel, by rays from all over the pixel to
-/// all over the light.
-fn shadow_of_size(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
-    var sum = 0.0;
-    var count = 0;
-    while count < LIGHT_RAYS {
-        // The R sequence of four dimensions (Roberts 2018): powers of 1/1.16730397826141868.
-        let spread = vec4f(0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
-            0.5385972572236101);
-        let even = fract(0.5 + f32(count + 1) * spread);
-        // A square turned into a disk of even density, ring by ring (Shirley 1997).
-        let radius = sqrt(even.z);
-        let turn = 6.283185307179586 * even.w;
-        let of_light = radius * vec2f(cos(turn), sin(turn));
-        sum += is_blocked(casters, receiver, even.xy - 0.5, of_light, by_itself);
-        count += 1;
-        if count == FIRST_LIGHT_RAYS && (sum == 0.0 || sum == f32(count)) {
-            return sum / f32(count);
-        }
-    }
-    return sum / f32(LIGHT_RAYS);
-}
-
-/// The share of a pixel whose smooth normal turns away from the light; `normal_across` and
-/// `normal_down` are how it changes to the pixel's neighbors.
-fn turned_away(
-    receiver: Receiver,
-    normal: vec3f,
-    normal_across: vec3f,
-    normal_down: vec3f,
-) -> f32 {
-    let toward = ray_from(receiver, vec2f(0.0), vec2f(0.0)).direction;
-    let facing = dot(normal, toward);
-    let width = abs(dot(normal_across, toward)) + abs(dot(normal_down, toward));
-    return clamp(0.5 - facing / max(width, 1e-6), 0.0, 1.0);
-}
-
-/// The share of a light that an object keeps from a pixel of its own. `away` is the share of the
-/// pixel that is turned away from the light.
-fn own_shadow(casters: Casters, receiver: Receiver, away: f32) -> f32 {
-    if !casts_on_itself(receiver.casters) {
-        return 0.0;
-    }
-    if away >= 1.0 {
-        return 1.0;
-    }
-    return max(away, shadow_of_pixel(casters, receiver, true));
-}
-
-/// The receiver whose rays start on its facet where it is turned away from the light: they lead
-/// through the body, and start above it only where they leave it.
-fn seen_by(receiver: Receiver, normal: vec3f) -> Receiver {
-    let toward = ray_from(receiver, vec2f(0.0), vec2f(0.0)).direction;
-    var seen = receiver;
-    if dot(normal, toward) <= 0.0 {
-        seen.facet.lift = vec3f(0.0);
-    }
-    return seen;
-}
-
-/// What first blocks the ray from a place of a pixel: how far away it is, in scene units, and the
-/// number of its object; both below 0 where nothing does.
-fn blocker_of_ray(casters: Casters, receiver: Receiver, at: vec2f) -> vec2f {
-    let ray = ray_from(receiver, at, vec2f(0.0));
-    let root = caster_root(receiver.casters);
-    let other = meets_others(casters, root, ray, receiver.object, false);
-    if !casts_on_itself(receiver.casters) {
-        return other;
-    }
-    let row = 4 * i32(receiver.object);
-    let own = meets_object(casters, row, ray, receiver.facet, false);
-    let is_own = own > 0.0 && (other.x < 0.0 || own < other.x);
-    return select(other, vec2f(own, receiver.object), is_own);
-}
-
-/// What first blocks the light from the middle of a pixel, and where that is free from one of its
-/// corners, so that a shadow is one up to its edge.
-fn blocker_of_pixel(casters: Casters, receiver: Receiver) -> vec2f {
-    var found = blocker_of_ray(casters, receiver, vec2f(0.0));
-    for (var corner = 0; corner < 4; corner++) {
-        if found.x >= 0.0 {
-            return found;
-        }
-        let at = vec2f(f32(corner & 1), f32(corner >> 1u)) - 0.5;
-        found = blocker_of_ray(casters, receiver, at);
-    }
-    return found;
-}
-
-/// A radius that an artist gives, within what rays can tell.
-fn radius_of(size: f32) -> f32 {
-    return clamp(finite_or(size, 0.0), 0.0, 1e6);
 }

@@ -1259,6 +1259,7 @@ const ELSEWHERE: &[&str] = &[
     "rod",
     // shadows.rs
     "cast_shadow",
+    "occlusion",
     "self_shadow",
     "shadow",
     "shadow_blocker",

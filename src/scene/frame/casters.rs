@@ -25,7 +25,7 @@ const ROW: usize = 1 << 11;
 const MOST_ROWS: usize = 1 << 13;
 
 /// Number of texels of an object's row.
-const OBJECT: usize = 4;
+const OBJECT: usize = 5;
 
 /// Share of its size by which the box of an object grows, for the roundings of rays.
 const AROUND: f64 = 1e-6;
@@ -44,8 +44,9 @@ pub struct Casters {
 }
 
 impl Casters {
-    /// The casters of a scene's objects. `sets` are the sets of objects, by number and in order,
-    /// that cast some light's shadows.
+    /// The casters of a scene's objects. `sets` are sets of objects, by number and in order, that
+    /// cast some light's shadows; `occluders` are those of them that stand about an object, by the
+    /// object's number.
     ///
     /// # Errors
     /// `too-many-casters` for more triangles than the texture can hold.
@@ -53,6 +54,7 @@ impl Casters {
         objects: &[SetupObject],
         placed: &[ObjectPlacement],
         sets: &IndexSet<Vec<usize>>,
+        occluders: &HashMap<usize, usize>,
     ) -> Result<Self, Diagnostic> {
         let mut made = Self::default();
         let mut hasher = DefaultHasher::new();
@@ -73,6 +75,7 @@ impl Casters {
             made.head.extend([rows.x_axis, rows.y_axis, rows.z_axis].map(|row| row.to_array()));
             let counts = [tree.nodes, tree.triangles].map(f64::from);
             made.head.push([begin as f64, counts[0], number as f64, counts[1]]);
+            made.head.push([LightValues::NO_CASTERS, 0.0, 0.0, 0.0]);
         }
         let most = ROW * MOST_ROWS;
         if at > most {
@@ -94,6 +97,11 @@ impl Casters {
                 made.roots.insert(set.clone(), made.head.len());
                 made.push_tree(set, &boxes);
             }
+        }
+        for (object, set) in occluders {
+            let set = &sets[*set];
+            let casters = made.number(set, set.binary_search(object).is_ok());
+            made.head[OBJECT * object + 4][0] = casters;
         }
         for texel in &made.head {
             texel.map(f64::to_bits).hash(&mut hasher);

@@ -19,25 +19,38 @@ use crate::ids::{LightId, ObjectId};
 /// Casters of a picture, with the numbers by which lights know theirs.
 pub(super) struct PlannedCasters {
     pub(super) texture: Arc<Casters>,
-    /// By the number of the object that is lit: the casters of each light.
-    numbers: HashMap<usize, HashMap<LightId, f64>>,
+    /// By the number of the object that is lit.
+    receivers: HashMap<usize, LitBy>,
+}
+
+/// Whose shadows reach an object.
+#[derive(Default)]
+struct LitBy {
+    /// The casters of each light that may be about it.
+    numbers: HashMap<LightId, f64>,
+    /// A hash of them.
+    key: u64,
+}
+
+impl LitBy {
+    fn new(numbers: HashMap<LightId, f64>) -> Self {
+        let mut hasher = DefaultHasher::new();
+        let mut sorted: Vec<_> = numbers.iter().map(|(id, x)| (id, x.to_bits())).collect();
+        sorted.sort_unstable();
+        sorted.hash(&mut hasher);
+        Self { key: hasher.finish(), numbers }
+    }
 }
 
 impl PlannedCasters {
     /// The casters of each light that may be about an object.
     pub(super) fn of(&self, object: usize) -> Option<&HashMap<LightId, f64>> {
-        self.numbers.get(&object)
+        self.receivers.get(&object).map(|lit_by| &lit_by.numbers)
     }
 
     /// A hash that is the same for objects which every light's shadows reach alike.
     pub(super) fn key(&self, object: usize) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        if let Some(numbers) = self.numbers.get(&object) {
-            let mut numbers: Vec<_> = numbers.iter().map(|(id, x)| (id, x.to_bits())).collect();
-            numbers.sort_unstable();
-            numbers.hash(&mut hasher);
-        }
-        hasher.finish()
+        self.receivers.get(&object).map_or(0, |lit_by| lit_by.key)
     }
 }
 
@@ -66,10 +79,19 @@ impl Shadows {
 
     /// True if the object casts the shadow of a light onto another, or onto itself.
     fn fall(&self, light: &LightId, onto: &ObjectId) -> bool {
+        let is_of_light = match self {
+            Self::Of(lights, _) => lights.contains(light),
+            Self::None | Self::All => true,
+        };
+        is_of_light && self.reach(onto)
+    }
+
+    /// True if the object casts the shadow of any light onto another, or onto itself.
+    fn reach(&self, onto: &ObjectId) -> bool {
         match self {
             Self::None => false,
             Self::All => true,
-            Self::Of(lights, objects) => lights.contains(light) && objects.contains(onto),
+            Self::Of(_, objects) => objects.contains(onto),
         }
     }
 }
@@ -102,22 +124,38 @@ impl Planner {
         let mut found: Vec<(usize, &LightId, usize, bool)> = Vec::new();
         let shadows: Vec<Shadows> =
             objects.iter().map(|object| Shadows::of(object, scene.setup, &lights)).collect();
+        let set_of = |casts: &dyn Fn(&usize) -> bool| -> Vec<usize> {
+            (0..objects.len()).filter(casts).collect()
+        };
+        // Without links one set serves all.
+        let is_linked = shadows.iter().any(|shadows| matches!(shadows, Shadows::Of(..)));
+        let mut occluders: HashMap<usize, usize> = HashMap::new();
         for receiver in readers {
+            let onto = &objects[receiver].id;
+            let around = match is_linked || sets.is_empty() {
+                true => sets.insert_full(set_of(&|caster| shadows[*caster].reach(onto))).0,
+                false => 0,
+            };
+            occluders.insert(receiver, around);
             let dark = unlit(scene.setup, &scene.mix, &objects[receiver]);
             for light in lights.keys().filter(|light| !dark.contains_key(*light)) {
-                let casts = |caster: &usize| shadows[*caster].fall(light, &objects[receiver].id);
-                let set: Vec<usize> = (0..objects.len()).filter(casts).collect();
-                let onto_itself = set.binary_search(&receiver).is_ok();
-                let (set, _) = sets.insert_full(set);
+                let set = match is_linked {
+                    true => sets.insert_full(set_of(&|c| shadows[*c].fall(light, onto))).0,
+                    false => around,
+                };
+                let onto_itself = sets[set].binary_search(&receiver).is_ok();
                 found.push((receiver, light, set, onto_itself));
             }
         }
-        let texture = Casters::new(objects, &scene.placed, &sets).map_err(|p| vec![p])?;
+        let texture =
+            Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?;
         let mut numbers: HashMap<usize, HashMap<LightId, f64>> = HashMap::new();
         for (receiver, light, set, onto_itself) in found {
             let number = texture.number(&sets[set], onto_itself);
             numbers.entry(receiver).or_default().insert(light.clone(), number);
         }
-        Ok(Some(PlannedCasters { texture: Arc::new(texture), numbers }))
+        let lit_by = |(receiver, numbers)| (receiver, LitBy::new(numbers));
+        let receivers = numbers.into_iter().map(lit_by).collect();
+        Ok(Some(PlannedCasters { texture: Arc::new(texture), receivers }))
     }
 }
