@@ -10,11 +10,37 @@ import chiaro::types;
 import chiaro::numeric;
 import chiaro::casters;
 
-/// Samples along a line.
+/// Samples along a line; lines of a pixel, half of them level and half upright.
 const LINE_SAMPLES = 32;
+const PIXEL_LINES = 16;
 
-const NO_SAMPLES = vec4u(0u);
-const ALL_SAMPLES = vec4u(0xffffffffu);
+/// Bits of samples along the level and the upright lines across a pixel: a bit for each that is
+/// kept from the light.
+struct PixelSamples {
+    level: vec4u,
+    more_level: vec4u,
+    upright: vec4u,
+    more_upright: vec4u,
+}
+
+const NO_SAMPLES = PixelSamples(vec4u(0u), vec4u(0u), vec4u(0u), vec4u(0u));
+const EVERY_SAMPLE = vec4u(0xffffffffu);
+const ALL_SAMPLES = PixelSamples(EVERY_SAMPLE, EVERY_SAMPLE, EVERY_SAMPLE, EVERY_SAMPLE);
+
+fn joined_samples(a: PixelSamples, b: PixelSamples) -> PixelSamples {
+    return PixelSamples(a.level | b.level, a.more_level | b.more_level, a.upright | b.upright,
+        a.more_upright | b.more_upright);
+}
+
+fn has_all_samples(samples: PixelSamples) -> bool {
+    let level = samples.level & samples.more_level;
+    return all((level & samples.upright & samples.more_upright) == EVERY_SAMPLE);
+}
+
+fn has_no_samples(samples: PixelSamples) -> bool {
+    let level = samples.level | samples.more_level;
+    return all((level | samples.upright | samples.more_upright) == vec4u(0u));
+}
 
 /// Rays from a pixel toward a light.
 struct Beam {
@@ -40,18 +66,6 @@ struct Beam {
     /// if the ray meets them within this share of its way.
     under_end: f32,
 }
-
-/// Four lines across a pixel: where they start, in pixels from its middle, and how far they go.
-struct PixelLines {
-    x: vec4f,
-    y: vec4f,
-    along_x: vec4f,
-    along_y: vec4f,
-    /// False where no samples are asked for, but if any ray of the beam may be blocked.
-    has_samples: bool,
-}
-
-const NO_LINES = PixelLines(vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), false);
 
 /// A beam in world space. `size` is the light's radius at the end of the way.
 fn beam_of(
@@ -106,67 +120,98 @@ fn beam_meets_box(beam: Beam, least: vec3f, most: vec3f) -> bool {
     return enter <= leave * 1.000002;
 }
 
-/// Both diagonals of a pixel, from above, then the level and the upright line through its middle;
-/// the first and the last sample of a diagonal are corners.
-fn crossing_lines() -> PixelLines {
-    let along = f32(LINE_SAMPLES) / f32(LINE_SAMPLES - 1);
-    let half = 0.5 * along;
-    return PixelLines(vec4f(-half, half, -half, 0.0), vec4f(-half, -half, 0.0, -half),
-        vec4f(along, -along, along, 0.0), vec4f(along, along, 0.0, along), true);
+/// A number that grows evenly over a pixel: in its middle, and how much to its neighbors on the
+/// right and below.
+struct Slope {
+    middle: f32,
+    right: f32,
+    down: f32,
 }
 
-/// Four of `count` parallel lines across a pixel, from number `first` on; the samples of each stand
-/// a little further than those of the one before.
-fn parallel_lines(first: i32, count: i32, is_level: bool) -> PixelLines {
-    let place = (vec4f(0.5, 1.5, 2.5, 3.5) + f32(first)) / f32(count) - 0.5;
-    let start = -0.5 + place / f32(LINE_SAMPLES);
-    let one = vec4f(1.0);
-    let none = vec4f(0.0);
-    if is_level {
-        return PixelLines(start, place, one, none, true);
-    }
-    return PixelLines(place, start, none, one, true);
+/// What must be 0 or more where a triangle keeps the light away.
+struct Inequalities {
+    a: Slope,
+    b: Slope,
+    c: Slope,
+    /// How high the triangle stands over the surface, and how far it is from the lamp.
+    height: Slope,
+    depth: Slope,
 }
 
-/// Parts of four lines, from a share of each to another; nothing where they are the wrong way
-/// round.
+/// Parts of four lines from one place to another, in pixels from their middles; nothing where they
+/// are the wrong way round.
 struct Spans {
     first: vec4f,
     last: vec4f,
 }
 
-/// The parts of spans where a value is 0 or more that is `at` in the middle of the pixel and grows
-/// by `slope` to its neighbors.
-fn clipped(spans: Spans, lines: PixelLines, at: f32, slope: vec2f) -> Spans {
-    let start = at + slope.x * lines.x + slope.y * lines.y;
-    let growth = slope.x * lines.along_x + slope.y * lines.along_y;
-    let is_level = abs(growth) < vec4f(1e-35);
-    let root = -start / select(growth, vec4f(1.0), is_level);
-    let rises = growth > vec4f(0.0);
-    let never = vec4f(2.0);
-    let first = max(spans.first, select(spans.first, root, rises & !is_level));
-    let last = min(spans.last, select(root, spans.last, rises | is_level));
-    return Spans(select(first, never, is_level & (start < vec4f(0.0))), last);
+/// Where four lines stand, in pixels from the middle of the pixel: the first or the second half of
+/// those of a direction.
+fn line_places(half: f32) -> vec4f {
+    return (vec4f(0.5, 1.5, 2.5, 3.5) + 4.0 * half) * (2.0 / f32(PIXEL_LINES)) - 0.5;
+}
+
+/// The parts of spans where a slope is 0 or more, along level or upright lines.
+fn clipped(spans: Spans, places: vec4f, slope: Slope, is_level: bool) -> Spans {
+    let growth = select(slope.down, slope.right, is_level);
+    let start = slope.middle + select(slope.right, slope.down, is_level) * places;
+    if abs(growth) < 1e-35 {
+        return Spans(select(spans.first, vec4f(2.0), start < vec4f(0.0)), spans.last);
+    }
+    let root = start * (-1.0 / growth);
+    if growth > 0.0 {
+        return Spans(max(spans.first, root), spans.last);
+    }
+    return Spans(spans.first, min(spans.last, root));
 }
 
 /// A bit for each of the first `count` samples of four lines.
 fn samples_below(count: vec4f) -> vec4u {
     let some = (vec4u(1u) << vec4u(min(count, vec4f(31.0)))) - vec4u(1u);
-    return select(some, ALL_SAMPLES, count > vec4f(31.5));
+    return select(some, EVERY_SAMPLE, count > vec4f(31.5));
 }
 
-/// The samples in spans, which stand in the middle of equal parts of their lines.
-fn samples_in(spans: Spans) -> vec4u {
+/// The samples of four lines in which all inequalities hold. Those of each line stand a little
+/// further than those of the line before.
+fn samples_within(all_of: Inequalities, half: f32, is_level: bool) -> vec4u {
+    let places = line_places(half);
+    var spans = Spans(vec4f(-1.0), vec4f(1.0));
+    spans = clipped(spans, places, all_of.a, is_level);
+    spans = clipped(spans, places, all_of.b, is_level);
+    spans = clipped(spans, places, all_of.c, is_level);
+    spans = clipped(spans, places, all_of.height, is_level);
+    spans = clipped(spans, places, all_of.depth, is_level);
     let count = f32(LINE_SAMPLES);
     let most = vec4f(count);
-    let before = clamp(ceil(count * spans.first - 0.5), vec4f(0.0), most);
-    let until = clamp(floor(count * spans.last + 0.5), vec4f(0.0), most);
+    let before = clamp(ceil(count * (spans.first + 0.5) - 0.5 - places), vec4f(0.0), most);
+    let until = clamp(floor(count * (spans.last + 0.5) + 0.5 - places), vec4f(0.0), most);
     return samples_below(until) & ~samples_below(before);
 }
 
-/// The samples that a triangle keeps from the light; where none are asked for, all if any ray of
-/// the beam may be kept. Its edges count, and a little more, so that light comes through no seam.
-fn covered(beam: Beam, lines: PixelLines, corner: vec3f, second: vec3f, third: vec3f) -> vec4u {
+fn all_samples_within(all_of: Inequalities) -> PixelSamples {
+    return PixelSamples(samples_within(all_of, 0.0, true), samples_within(all_of, 1.0, true),
+        samples_within(all_of, 0.0, false), samples_within(all_of, 1.0, false));
+}
+
+/// The share of a pixel that its samples say: by the lines that edges cross most.
+fn share_of_samples(samples: PixelSamples) -> f32 {
+    let level = line_counts(samples.level) + line_counts(samples.more_level);
+    let upright = line_counts(samples.upright) + line_counts(samples.more_upright);
+    let best = select(upright, level, level.y >= upright.y);
+    return best.x / f32(LINE_SAMPLES * PIXEL_LINES / 2);
+}
+
+/// Samples on four lines that are kept from the light, and lines of which a part is.
+fn line_counts(lines: vec4u) -> vec2f {
+    let counts = vec4f(countOneBits(lines));
+    let crossed = (lines != vec4u(0u)) & (lines != EVERY_SAMPLE);
+    let one = vec4f(1.0);
+    return vec2f(dot(counts, one), dot(select(vec4f(0.0), one, crossed), one));
+}
+
+/// The samples that a triangle keeps from the light; if `is_rough`, all where any ray of the beam
+/// may be kept. Its edges count, and a little more, so that light comes through no seam.
+fn covered(beam: Beam, is_rough: bool, corner: vec3f, second: vec3f, third: vec3f) -> PixelSamples {
     let a = corner - beam.origin;
     let b = second - beam.origin;
     let c = third - beam.origin;
@@ -178,54 +223,65 @@ fn covered(beam: Beam, lines: PixelLines, corner: vec3f, second: vec3f, third: v
     let facing = dot(beam.way, normal);
     // Triangles that are seen from behind are turned round.
     let side = select(-1.0, 1.0, facing > 0.0);
-    let height = side * dot(normal, a);
-    let height_slope = -side * vec2f(dot(normal, beam.across), dot(normal, beam.down));
-    let highest = height + 0.5 * (abs(height_slope.x) + abs(height_slope.y));
-    let noise = beam.noise * area;
+    let height = Slope(side * dot(normal, a) - beam.noise * area, -side * dot(normal, beam.across),
+        -side * dot(normal, beam.down));
     let may_turn = dot(abs(normal), beam.spread);
-    if !(area > 0.0) || (highest <= noise && abs(facing) > may_turn) {
+    if !(area > 0.0) || (greatest_of(height) <= 0.0 && abs(facing) > may_turn) {
         return NO_SAMPLES;
     }
-    let edges = side * vec3f(dot(beam.way, bc), dot(beam.way, ca), dot(beam.way, ab));
-    let of_bc = -side * (beam.is_lamp * bc + cross(beam.way, b - c));
-    let of_ca = -side * (beam.is_lamp * ca + cross(beam.way, c - a));
-    let of_ab = -side * (beam.is_lamp * ab + cross(beam.way, a - b));
-    let right = vec3f(dot(of_bc, beam.across), dot(of_ca, beam.across), dot(of_ab, beam.across));
-    let below = vec3f(dot(of_bc, beam.down), dot(of_ca, beam.down), dot(of_ab, beam.down));
-    let widened = edges + 2e-6 * abs(facing);
+    let whole = abs(facing);
+    let of_a = edge_slope(beam, side, bc, b - c);
+    let of_b = edge_slope(beam, side, ca, c - a);
+    let of_c = edge_slope(beam, side, ab, a - b);
     let may_move = vec3f(dot(abs(bc), beam.spread), dot(abs(ca), beam.spread),
         dot(abs(ab), beam.spread));
-    let most = widened + 0.5 * (abs(right) + abs(below)) + may_move;
-    if any(most < vec3f(0.0)) && abs(facing) > may_turn {
+    let most = vec3f(greatest_of(of_a), greatest_of(of_b), greatest_of(of_c)) + may_move;
+    if any(most < vec3f(-2e-6 * whole)) && whole > may_turn {
         return NO_SAMPLES;
     }
-    if !lines.has_samples {
+    if is_rough {
         return ALL_SAMPLES;
     }
-    if abs(facing) <= 1e-30 {
+    if whole <= 1e-30 {
         return NO_SAMPLES;
     }
-    var spans = Spans(vec4f(0.0), vec4f(1.0));
-    spans = clipped(spans, lines, widened.x, vec2f(right.x, below.x));
-    spans = clipped(spans, lines, widened.y, vec2f(right.y, below.y));
-    spans = clipped(spans, lines, widened.z, vec2f(right.z, below.z));
-    spans = clipped(spans, lines, height - noise, height_slope);
-    // The height is this share of the way times what faces the light, which changes for lamps.
-    let whole = abs(facing);
-    let whole_slope = vec2f(right.x + right.y + right.z, below.x + below.y + below.z);
-    if beam.is_lamp > 0.5 {
-        // A lamp is no blocker of itself.
-        let end = 0.99999;
-        spans = clipped(spans, lines, end * whole - height, end * whole_slope - height_slope);
+    // What faces the light changes with the place for lamps. A lamp is no blocker of itself.
+    let facing_right = of_a.right + of_b.right + of_c.right;
+    let facing_down = of_a.down + of_b.down + of_c.down;
+    let end = 0.99999;
+    var depth = Slope(end * whole - height.middle, end * facing_right - height.right,
+        end * facing_down - height.down);
+    if beam.is_lamp < 0.5 {
+        depth = Slope(1.0, 0.0, 0.0);
     }
-    let found = samples_in(spans);
-    if facing < 0.0 || all(found == NO_SAMPLES) {
+    let wide = 2e-6 * whole;
+    let found = all_samples_within(Inequalities(
+        Slope(of_a.middle + wide, of_a.right, of_a.down),
+        Slope(of_b.middle + wide, of_b.right, of_b.down),
+        Slope(of_c.middle + wide, of_c.right, of_c.down), height, depth));
+    if facing < 0.0 || has_no_samples(found) {
         return found;
     }
-    spans = clipped(spans, lines, beam.under * area - height, -height_slope);
-    spans = clipped(spans, lines, beam.under_end * whole - height,
-        beam.under_end * whole_slope - height_slope);
-    return found & ~samples_in(spans);
+    // Backs that are as near as this are no blockers.
+    let low = Slope(beam.under * area - height.middle, -height.right, -height.down);
+    let soon = Slope(beam.under_end * whole - height.middle,
+        beam.under_end * facing_right - height.right, beam.under_end * facing_down - height.down);
+    let under = all_samples_within(Inequalities(low, soon, low, height, low));
+    return PixelSamples(found.level & ~under.level, found.more_level & ~under.more_level,
+        found.upright & ~under.upright, found.more_upright & ~under.more_upright);
+}
+
+/// How far rays pass inside an edge between two corners, whose cross product from the origin is
+/// `across`, and which are `between` apart.
+fn edge_slope(beam: Beam, side: f32, across: vec3f, between: vec3f) -> Slope {
+    let growth = beam.is_lamp * across + cross(beam.way, between);
+    return Slope(side * dot(beam.way, across), -side * dot(growth, beam.across),
+        -side * dot(growth, beam.down));
+}
+
+/// The greatest value of a slope in a pixel.
+fn greatest_of(slope: Slope) -> f32 {
+    return slope.middle + 0.5 * (abs(slope.right) + abs(slope.down));
 }
 
 /// The samples of a beam that an object's triangles keep from the light. `facet` is the one that
@@ -235,8 +291,8 @@ fn beam_among(
     row: i32,
     world: Beam,
     facet: Facet,
-    lines: PixelLines,
-) -> vec4u {
+    is_rough: bool,
+) -> PixelSamples {
     let tree = caster_texel(casters, row + 3);
     let begin = i32(tree.x);
     let nodes = i32(tree.y);
@@ -260,8 +316,9 @@ fn beam_among(
             if triangle != facet.triangle {
                 let b = caster_texel(casters, at + 1);
                 let c = caster_texel(casters, at + 2);
-                found |= covered(beam, lines, a.xyz, b.xyz, c.xyz);
-                if all(found == ALL_SAMPLES) {
+                found = joined_samples(found,
+                    covered(beam, is_rough, a.xyz, b.xyz, c.xyz));
+                if has_all_samples(found) {
                     return found;
                 }
             }
@@ -279,8 +336,8 @@ fn beam_among_others(
     root: i32,
     beam: Beam,
     object: f32,
-    lines: PixelLines,
-) -> vec4u {
+    is_rough: bool,
+) -> PixelSamples {
     var found = NO_SAMPLES;
     let end = i32(caster_texel(casters, max(root, 0)).w);
     var node = select(end, root, root >= 0);
@@ -296,8 +353,8 @@ fn beam_among_others(
         if row < 0 || caster_texel(casters, max(row, 0) + 3).z == object {
             continue;
         }
-        found |= beam_among(casters, row, beam, NO_FACET, lines);
-        if all(found == ALL_SAMPLES) {
+        found = joined_samples(found, beam_among(casters, row, beam, NO_FACET, is_rough));
+        if has_all_samples(found) {
             return found;
         }
     }

@@ -273,14 +273,32 @@ fn facet_at(
 ) -> Facet {
     let row = object_row(object);
     let tree = caster_texel(casters, row + 3);
+    let point = place_among(casters, row, place);
+    let near = 4.0 * noise_among(casters, row, place);
+    var found = nearest_triangle(casters, tree, point, near);
+    if found < 0 {
+        // Where a pixel's middle is beside the triangle that it shows.
+        let a = turned_among(casters, row, across);
+        let b = turned_among(casters, row, down);
+        found = nearest_triangle(casters, tree, point, near + sqrt(dot(a, a) + dot(b, b)));
+    }
+    if found < 0 {
+        return NO_FACET;
+    }
+    let corners = i32(tree.x) + 2 * i32(tree.y) + 3 * found;
+    // Normals follow the corners of all triangles, which the tree's fourth number counts.
+    let normals = corners + 3 * i32(tree.w);
+    let seen = turned_among(casters, row, normal);
+    return Facet(lift_of(casters, corners, normals, point, seen), found);
+}
+
+/// The number of the triangle that is nearest to a point, in their own space; -1 where none is
+/// within a radius. `tree` is the fourth texel of the object's row.
+fn nearest_triangle(casters: Casters, tree: vec4f, point: vec3f, within: f32) -> i32 {
     let begin = i32(tree.x);
     let nodes = i32(tree.y);
     let triangles = begin + 2 * nodes;
-    let point = place_among(casters, row, place);
-    let noise = noise_among(casters, row, place);
-    let a = turned_among(casters, row, across);
-    let b = turned_among(casters, row, down);
-    var radius = 4.0 * noise + sqrt(dot(a, a) + dot(b, b));
+    var radius = within;
     var found = -1;
     var node = 0;
     while node < nodes {
@@ -304,14 +322,7 @@ fn facet_at(
             triangle = select(-1, triangle + 1, corner.w > 0.5);
         }
     }
-    if found < 0 {
-        return NO_FACET;
-    }
-    let corners = triangles + 3 * found;
-    // Normals follow the corners of all triangles, which the tree's fourth number counts.
-    let normals = corners + 3 * i32(tree.w);
-    let seen = turned_among(casters, row, normal);
-    return Facet(lift_of(casters, corners, normals, point, seen), found);
+    return found;
 }
 
 /// From a point of a triangle to the planes of its corners' normals, weighted as the corners are;

@@ -5,9 +5,6 @@ import chiaro::numeric;
 import chiaro::casters;
 import chiaro::beams;
 
-/// Lines across a pixel where a shadow's edge is, a multiple of 4.
-const EDGE_LINES = 16;
-
 /// Rays toward a light with a size: all, but where the first of them are all blocked.
 const FIRST_LIGHT_RAYS = 32;
 const LIGHT_RAYS = 64;
@@ -90,28 +87,26 @@ fn shadow_of_ray(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
     return is_blocked(casters, receiver, vec2f(0.0), vec2f(0.0), by_itself);
 }
 
-/// What a receiver sees of its light, by beams; `size` is the radius that counts as the light's.
-fn beam_from(receiver: Receiver, size: f32) -> Beam {
-    return beam_of(receiver.position, receiver.across, receiver.down,
-        way_to_light(receiver.source, receiver.position), receiver.source.w, size);
-}
-
-/// The samples of four lines across a pixel that are kept from the light.
-fn lines_blocked(
+/// The samples of a pixel that are kept from the light; if `is_rough`, all if any ray from the
+/// pixel to any place of the light may be.
+fn samples_blocked(
     casters: Casters,
     receiver: Receiver,
-    lines: PixelLines,
     by_itself: bool,
-) -> vec4u {
-    let beam = beam_from(receiver, 0.0);
+    is_rough: bool,
+) -> PixelSamples {
+    let beam = beam_of(receiver.position, receiver.across, receiver.down,
+        way_to_light(receiver.source, receiver.position), receiver.source.w,
+        select(0.0, receiver.size, is_rough));
     if by_itself {
-        return beam_among(casters, object_row(receiver.object), beam, receiver.facet, lines);
+        let row = object_row(receiver.object);
+        return beam_among(casters, row, beam, receiver.facet, is_rough);
     }
-    return beam_among_others(casters, caster_root(receiver.casters), beam, receiver.object, lines);
+    let root = caster_root(receiver.casters);
+    return beam_among_others(casters, root, beam, receiver.object, is_rough);
 }
 
-/// The share of a light that is kept from a pixel, from 0 to 1. Where both diagonals, a level and
-/// an upright line are free, or kept from the light, the pixel is; else parallel lines measure it.
+/// The share of a light that is kept from a pixel, from 0 to 1.
 fn shadow_of_pixel(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
     if !can_be_blocked(receiver, by_itself) {
         return 0.0;
@@ -119,38 +114,12 @@ fn shadow_of_pixel(casters: Casters, receiver: Receiver, by_itself: bool) -> f32
     if receiver.size > 0.0 {
         return shadow_of_size(casters, receiver, by_itself);
     }
-    let found = lines_blocked(casters, receiver, crossing_lines(), by_itself);
-    if all(found == NO_SAMPLES) || all(found == ALL_SAMPLES) {
-        return f32(found.x & 1u);
-    }
-    // Lines run the way in which the shadow changes most.
-    let first = vec2f(found.xy & vec2u(1u));
-    let last = vec2f(found.xy >> vec2u(31u));
-    let mixed = select(vec2f(0.0), vec2f(1.0), (found.zw != NO_SAMPLES.zw)
-        & (found.zw != ALL_SAMPLES.zw));
-    let level = abs(first.y - first.x) + abs(last.x - last.y) + mixed.x;
-    let upright = abs(last.y - first.x) + abs(last.x - first.y) + mixed.y;
-    var samples = 0u;
-    for (var line = 0; line < EDGE_LINES; line += 4) {
-        let lines = parallel_lines(line, EDGE_LINES, level >= upright);
-        let counts = countOneBits(lines_blocked(casters, receiver, lines, by_itself));
-        samples += counts.x + counts.y + counts.z + counts.w;
-    }
-    return f32(samples) / f32(EDGE_LINES * LINE_SAMPLES);
+    return share_of_samples(samples_blocked(casters, receiver, by_itself, false));
 }
 
 /// True if no triangle stands between any place of a pixel and any place of its light.
 fn is_free(casters: Casters, receiver: Receiver, by_itself: bool) -> bool {
-    let beam = beam_from(receiver, receiver.size);
-    var found = NO_SAMPLES;
-    if by_itself {
-        let row = object_row(receiver.object);
-        found = beam_among(casters, row, beam, receiver.facet, NO_LINES);
-    } else {
-        let root = caster_root(receiver.casters);
-        found = beam_among_others(casters, root, beam, receiver.object, NO_LINES);
-    }
-    return all(found == NO_SAMPLES);
+    return has_no_samples(samples_blocked(casters, receiver, by_itself, true));
 }
 
 /// One of places that fill a square of side 1 evenly: the R sequence of two dimensions (Roberts

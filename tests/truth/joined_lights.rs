@@ -258,3 +258,33 @@ fn a_light_of_parts_is_as_told() {
     assert_eq!(of("parts.color")[..3], [0.5, 0.25, 1.0]);
     assert_eq!(of("parts.intensity")[0], 3.0);
 }
+
+/// A fill counts by one amount where the key's tone is, and by another in its shade.
+#[test]
+fn a_fill_tints_light_and_shade_apart() {
+    let mut random = Random::new(316);
+    let (below, color, toward) = ([0.2, 0.1, 0.15], [0.5, 0.75, 0.25], DVec3::new(0.6, 0.0, 0.8));
+    for _ in 0..12 {
+        let [key, lit, shade] = std::array::from_fn(|_| f64::from(random.between(0.0, 1.0) as f32));
+        let fill = look(&json!({
+            "lights": {"fill": {"direction": toward.to_array(), "space": "world"}},
+            "nodes": [
+                {"id": "paint", "kind": "base",
+                    "values": {"color": [below[0], below[1], below[2], 1]}},
+                {"id": "fill", "kind": "fill_layer", "values": {"key": key, "lit": lit,
+                    "shade": shade, "color": [color[0], color[1], color[2], 1]}},
+                {"id": "output", "kind": "output"}],
+            "wires": [{"from": "paint", "to": "fill.below"},
+                {"from": "fill.below", "to": "output.color"}]
+        }));
+        let normal = random.direction();
+        let sample = EvalSample { normal, ..EvalSample::default() };
+        // Lambert's cosine is the profile that a node begins with.
+        let tone = normal.dot(toward).max(0.0) * (shade + (lit - shade) * key);
+        let drawn = eval(&fill, "fill.below", &[sample])[0];
+        for channel in 0..3 {
+            let wanted = (below[channel] + tone * color[channel]).min(1.0);
+            assert!((drawn[channel] - wanted).abs() < 2e-6, "{}: {wanted}", drawn[channel]);
+        }
+    }
+}

@@ -1238,6 +1238,7 @@ const ELSEWHERE: &[&str] = &[
     "transition",
     "warp",
     // joined_lights.rs
+    "fill_layer",
     "first_of_lights",
     "greatest_of_lights",
     "layers_of_lights",
@@ -1263,6 +1264,7 @@ const ELSEWHERE: &[&str] = &[
     "self_shadow",
     "shadow",
     "shadow_blocker",
+    "shadow_layer",
     // tests/sweeps/hcbtf_lookup.rs
     "constant_size",
     "dominant_light",

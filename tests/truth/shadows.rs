@@ -573,6 +573,50 @@ fn objects_cast_the_shadows_that_their_links_say() {
     assert!(linked(of("*", "rim", "*", ""), ["key", "key"])[0] > 300);
 }
 
+/// A shadow layer multiplies what is below by its color, where the light is kept away, as far as the
+/// light is there.
+#[test]
+fn a_shadow_layer_goes_with_its_light() {
+    let below = [0.8, 0.5, 0.3];
+    let color = [0.5, 0.25, 1.0];
+    let shown = |intensity: f64, values: Json| {
+        let mut light = TestLight::Sun(DVec3::Y).json();
+        light["intensity"] = intensity.into();
+        let mut values = values;
+        values["color"] = json!([color[0], color[1], color[2], 1]);
+        let floor_look = look(&json!({"lights": {"key": light}, "nodes": [
+                {"id": "paint", "kind": "base",
+                    "values": {"color": [below[0], below[1], below[2], 1]}},
+                {"id": "shadow", "kind": "shadow_layer", "values": values},
+                {"id": "output", "kind": "output"}],
+            "wires": [{"from": "paint", "to": "shadow.below"},
+                {"from": "shadow.below", "to": "output.color"}]}));
+        let cube = hung("box", DVec3::new(0.0, UNSEEN, 0.0), 0.7);
+        let setup = scene_on_floor(floor_look, vec![cube], EYE);
+        let plan = planned(&setup, PlanStyle::Specialized);
+        block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}")).rgba
+    };
+    let middle = (SIZE * SIZE / 2 + SIZE / 2) as usize;
+    for (intensity, values, share) in [
+        (1.0, json!({}), 1.0),
+        (3.0, json!({}), 1.0),
+        (0.25, json!({}), 0.25),
+        (0.0, json!({}), 0.0),
+        (1.0, json!({"opacity": 0.5}), 0.5),
+        (1.0, json!({"cast": 0.4}), 0.4),
+        (1.0, json!({"cast": 0.0}), 0.0),
+    ] {
+        let drawn = shown(intensity, values.clone());
+        for (channel, below) in below.iter().enumerate() {
+            let wanted = below * (1.0 + share * (color[channel] - 1.0));
+            let [found, beside] = [middle, 0].map(|at| f64::from(drawn[at][channel]));
+            // The picture holds half floats.
+            assert!((found - wanted).abs() < 2e-3, "{intensity} {values}: {found} for {wanted}");
+            assert!((beside - below).abs() < 2e-3, "{intensity} {values}: {beside} in the light");
+        }
+    }
+}
+
 /// Scenes that no ray can make sense of leave numbers from 0 to 1, and shadows where there are any.
 #[test]
 fn hard_cases_of_rays_stay_shadows() {

@@ -23,6 +23,9 @@ const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
 /// gives none, and the part lit from straight behind is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
 
+/// Kind of the node of most layers.
+const LIGHT_LAYER: &str = "light_layer";
+
 enum PresetValue {
     Number(f64),
     Word(&'static str),
@@ -33,6 +36,8 @@ pub(super) struct LayerPreset {
     /// Name of the preset, and of the new layer.
     pub(super) name: &'static str,
     pub(super) help: &'static str,
+    /// Kind of the layer's node.
+    kind: &'static str,
     /// Preset of the Profile node that supplies values.
     profile: Option<&'static str>,
     /// Values that the Profile preset lacks, or that replace its own. Colors are written as shown.
@@ -43,10 +48,11 @@ pub(super) struct LayerPreset {
 use PresetValue::{Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
-pub(super) static PRESETS: [LayerPreset; 6] = [
+pub(super) static PRESETS: [LayerPreset; 7] = [
     LayerPreset {
         name: "Fill",
         help: "Ambient light: a tint everywhere, so that nothing is black",
+        kind: LIGHT_LAYER,
         profile: Some("Ambient"),
         values: &[
             ("convex", Word("#2a2733")),
@@ -58,6 +64,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
     LayerPreset {
         name: "Diffuse",
         help: "Lambert's soft light, falling with the cosine of the angle to it",
+        kind: LIGHT_LAYER,
         profile: Some("Lambert"),
         values: &[("convex", Word("#b58a6a")), ("concave", Word("#7a4a3c"))],
         light: LightChoice::Front,
@@ -65,6 +72,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
     LayerPreset {
         name: "Cartoon",
         help: "One flat tone with a hard, antialiased edge",
+        kind: LIGHT_LAYER,
         profile: Some("Cartoon"),
         values: &[
             ("convex", Word("#c79a72")),
@@ -76,6 +84,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
     LayerPreset {
         name: "Shadow",
         help: "Multiplied: darkens what the light does not reach, whatever the colors below",
+        kind: LIGHT_LAYER,
         profile: Some("Half-Lambert"),
         values: &[
             ("convex", Word("#ffffff")),
@@ -86,8 +95,18 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         light: LightChoice::Front,
     },
     LayerPreset {
+        name: "Cast shadow",
+        help: "Shadows that things throw onto one another and onto themselves, in a color: seen in \
+               scenes that have something to throw them",
+        kind: "shadow_layer",
+        profile: None,
+        values: &[("color", Word("#5c5585"))],
+        light: LightChoice::Front,
+    },
+    LayerPreset {
         name: "Highlight",
         help: "Phong's highlight: the light's mirror image, which moves with the eye",
+        kind: LIGHT_LAYER,
         profile: Some("Phong specular"),
         values: &[
             ("type", Word("specular")),
@@ -100,6 +119,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         name: "Back-light",
         help: "A rim: a cool edge by a light behind the object as it is seen now, which is added \
                where there is none",
+        kind: LIGHT_LAYER,
         profile: None,
         values: &[
             ("offset", Number(0.6)),
@@ -123,7 +143,7 @@ impl LayerPreset {
     ) -> (Vec<Edit>, NodeId, Node) {
         let look = session.look();
         let mut node = Node {
-            kind: "light_layer".to_owned(),
+            kind: self.kind.to_owned(),
             name: free_name(look, self.name),
             ..Node::default()
         };
@@ -249,8 +269,8 @@ mod tests {
     #[test]
     fn presets_set_what_a_layer_has() {
         let session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
-        let kind = session.project.catalog.get("light_layer").unwrap();
         for preset in &PRESETS {
+            let kind = session.project.catalog.get(preset.kind).unwrap();
             let (edits, id, node) = preset.make(&session, None);
             assert_eq!(
                 edits.is_empty(),
