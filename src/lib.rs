@@ -80,7 +80,7 @@ pub use chiaro_files as files;
 
 #[cfg(feature = "scene")]
 #[doc(inline)]
-pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
+pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, placing, threads};
 
 #[cfg(feature = "scene")]
 #[doc(inline)]

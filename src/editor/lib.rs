@@ -16,7 +16,7 @@ use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_render as render;
-use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
+use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, placing, threads};
 
 mod app;
 mod canvas;
@@ -43,6 +43,7 @@ pub use crate::state::scene::OpenScene;
 pub use crate::state::session::Session;
 pub use crate::state::settings::{self, Settings};
 pub use crate::tools::fitting::FitTool;
+pub use crate::tools::placing::PlacingTool;
 pub use crate::tools::probe::Probe;
 pub use crate::tools::wipe::Wipe;
 pub use app::App;

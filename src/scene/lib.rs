@@ -18,4 +18,5 @@ pub mod export;
 pub mod frame;
 pub mod geometry;
 pub mod hcbtf;
+pub mod placing;
 pub mod threads;

@@ -39,7 +39,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
         "scene",
         &[
             &["cache"],
-            &["directions", "geometry", "hcbtf", "threads"],
+            &["directions", "geometry", "hcbtf", "placing", "threads"],
             &["drawing", "frame"],
             &["export"],
         ],

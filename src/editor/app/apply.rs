@@ -20,6 +20,7 @@ use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::tools::handles::HandlesSwitch;
+use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 
 /// True if the last message stays while a command is carried out.
@@ -161,6 +162,7 @@ impl App {
             Command::Scene(command) => self.apply_scene_command(ui, command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
+            Command::Placing(command) => self.apply_to_placing(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
@@ -182,6 +184,7 @@ impl App {
     fn turn_probe(&mut self, ui: &Ui, on: bool) {
         self.bench.tools.of_mut::<Probe>().turn(on);
         if on {
+            self.bench.tools.of_mut::<PlacingTool>().turn(false);
             self.turn_fitting(ui, false);
             self.dock.open(PanelId::PROBE);
         }

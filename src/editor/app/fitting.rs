@@ -5,6 +5,7 @@ use eframe::egui::Ui;
 use super::App;
 use crate::commands::{FitCommand, PanelId, SketchCommand};
 use crate::tools::fitting::FitTool;
+use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 
 impl App {
@@ -50,6 +51,7 @@ impl App {
         commands.into_iter().for_each(|command| self.carry_out(ui, command));
         if on {
             self.bench.tools.of_mut::<Probe>().turn(false);
+            self.bench.tools.of_mut::<PlacingTool>().turn(false);
             self.bench.viewport.stop_turning();
             self.start = None;
             self.dock.open(PanelId::PICTURE);

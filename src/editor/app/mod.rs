@@ -11,6 +11,7 @@ mod fitting;
 pub(crate) mod look_export;
 mod painting;
 pub(crate) mod path_field;
+mod placing;
 mod recovery;
 pub(crate) mod recovery_bar;
 mod scene;
@@ -33,8 +34,8 @@ use crate::app::tour::Tour;
 use crate::canvas::Canvas;
 use crate::commands::table::{self, CommandRow, KeyScope};
 use crate::commands::{
-    Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, SceneCommand,
-    keyboard,
+    Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, PlacingCommand,
+    SceneCommand, keyboard,
 };
 use crate::diag::has_errors;
 use crate::files::{Disk, SharedFiles};
@@ -51,6 +52,7 @@ use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
 use crate::tools::fitting::FitTool;
+use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
@@ -272,6 +274,11 @@ impl App {
     /// Painting workspace.
     pub fn painting(&self) -> &Painting {
         &self.bench.painting
+    }
+
+    /// Tool that places a light by what it does.
+    pub fn placing(&self) -> &PlacingTool {
+        self.bench.tools.of()
     }
 
     /// Comparison of the picture with a tier or the truth.
@@ -579,6 +586,10 @@ impl App {
         let is_open = egui::Popup::is_any_open(ui.ctx());
         if self.probe().is_on() && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::LeaveProbe);
+        }
+        let places = self.bench.tools.of::<PlacingTool>().is_on() && self.start.is_none();
+        if places && is_free && !is_typing && keyboard::take(ui, escape) {
+            commands.push(Command::Placing(PlacingCommand::Leave));
         }
         let paints = self.fitting().is_on() && self.start.is_none();
         if paints && is_free && !is_typing && !is_open && keyboard::take(ui, escape) {

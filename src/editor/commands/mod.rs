@@ -12,6 +12,7 @@ pub(crate) mod keyboard;
 mod painting;
 mod panel_id;
 mod picture;
+mod placing;
 mod recovery;
 mod scene;
 pub(crate) mod table;
@@ -30,6 +31,7 @@ pub(crate) use graph::{GraphCommand, Heading};
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
 pub(crate) use panel_id::PanelId;
 pub(crate) use picture::{PictureExport, ViewCommand};
+pub(crate) use placing::{LightMark, PlacingCommand};
 pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scene::SceneCommand;
 
@@ -130,6 +132,8 @@ pub(crate) enum Command {
     Paint(PaintCommand),
     /// Command about painting light on the picture.
     Fit(FitCommand),
+    /// Command about placing a light by what it does.
+    Placing(PlacingCommand),
     /// Command about the strokes of light, and about the look that was fitted to them.
     Sketch(SketchCommand),
     /// Command of the bar of unsaved work and changed files.

@@ -206,6 +206,34 @@ pub(crate) fn set_light_at(session: &Session, id: &LightId, field: &str, value: 
     }
 }
 
+/// The edit that gives the light in view the fields in which another light differs from it, as
+/// [`set_light_at`] does for one.
+pub(crate) fn set_light_like(session: &Session, id: &LightId, new: &Light) -> Option<Change> {
+    let old = light_in_view(session, id)?;
+    let differs = |field: &LightField| field.get(old) != field.get(new);
+    let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
+    let target =
+        |field: LightField| Target::Light { light: id.clone(), field: field.name().to_owned() };
+    let is_keyed =
+        |field: &LightField| session.keys().keyed_by(&target(*field)) != KeyedBy::Nothing;
+    if fields.is_empty() {
+        return None;
+    }
+    let of_scene = Owner::Scene.lights(session).and_then(|lights| lights.get(id));
+    if let Some(own) = of_scene.filter(|_| !fields.iter().any(is_keyed)) {
+        let mut light = own.clone();
+        fields.iter().for_each(|field| field.set(&mut light, field.numbers(new)));
+        return Some(Change::Scene(SceneEdit::SetLight { id: id.clone(), light }));
+    }
+    let values = fields.into_iter().map(|field| (target(field), field.get(new)));
+    Some(Change::Look(session.keys().set_all_at(values)))
+}
+
+/// The light of an id with its present values, of the look or of the scene around it.
+pub(crate) fn light_in_view<'s>(session: &'s Session, id: &'s LightId) -> Option<&'s Light> {
+    session.keys().light(id).or_else(|| Some(OwnedLight::lighting(session, id)?.light))
+}
+
 /// Lights that a light of the scene can stand in for: those of the open look and of all others
 /// in the scene, by id.
 pub(crate) fn lights_of_looks(session: &Session) -> IndexMap<LightId, SharedLight> {

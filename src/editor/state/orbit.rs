@@ -270,6 +270,20 @@ impl Orbit {
         }
     }
 
+    /// Place of a point of the world in the picture: from its middle to the right and up, in
+    /// heights of the picture; `None` behind the eye.
+    pub(crate) fn place_in_picture(&self, point: DVec3) -> Option<[f64; 2]> {
+        let (right, up) = self.right_and_up();
+        let from_eye = point - (self.target + self.direction() * self.distance);
+        let depth = -from_eye.dot(self.direction());
+        let span = match self.projection {
+            Projection::Perspective if depth <= 1e-6 => return None,
+            Projection::Perspective => 2.0 * depth * (self.fov / 2.0).tan(),
+            Projection::Orthographic => self.height(),
+        };
+        Some([from_eye.dot(right) / span, from_eye.dot(up) / span])
+    }
+
     /// Radius of the picture of the unit sphere around the target, in parts of the picture's
     /// height.
     pub fn radius_in_picture(&self) -> f64 {

@@ -4,6 +4,7 @@
 
 pub(crate) mod fitting;
 pub(crate) mod handles;
+pub(crate) mod placing;
 pub(crate) mod probe;
 mod table;
 pub(crate) mod wipe;
@@ -20,7 +21,8 @@ use table::ToolParts;
 pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
 
 /// All tools, in the order of their switches; their overlays lie in reverse order.
-pub(crate) static TOOLS: &[ToolRow] = &[handles::TOOL, probe::TOOL, fitting::TOOL, wipe::TOOL];
+pub(crate) static TOOLS: &[ToolRow] =
+    &[handles::TOOL, probe::TOOL, placing::TOOL, fitting::TOOL, wipe::TOOL];
 
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
@@ -49,6 +51,11 @@ impl PictureTools {
     /// Tool that has the pointer over the picture to itself.
     pub(crate) fn with_pointer(&self) -> Option<&'static ToolRow> {
         TOOLS.iter().find(|tool| tool.takes_pointer && (tool.is_on)(self))
+    }
+
+    /// True if a tool that is on takes drags over the picture.
+    pub(crate) fn takes_drags(&self) -> bool {
+        TOOLS.iter().any(|tool| tool.takes_drags && (tool.is_on)(self))
     }
 
     /// Shows the switches of the tools whose switch is at `place`.

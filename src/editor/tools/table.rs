@@ -69,6 +69,8 @@ pub(crate) struct ToolRow {
     pub(crate) is_on: IsOn,
     /// True if the tool has the pointer over the picture to itself while it is on.
     pub(crate) takes_pointer: bool,
+    /// True if drags over the picture are the tool's while it is on, but those with Alt.
+    pub(crate) takes_drags: bool,
     /// Shows the switch that turns the tool on and off.
     pub(crate) switch: ShowSwitch,
     /// Shows a row of controls below the bar.
@@ -96,6 +98,7 @@ impl ToolRow {
             start,
             is_on,
             takes_pointer: false,
+            takes_drags: false,
             switch,
             bar: None,
             interact: None,
@@ -108,6 +111,10 @@ impl ToolRow {
 
     pub(crate) const fn with_pointer(self, hint: Hint) -> Self {
         Self { takes_pointer: true, hint: Some(hint), ..self }
+    }
+
+    pub(crate) const fn with_drags(self) -> Self {
+        Self { takes_drags: true, ..self }
     }
 
     pub(crate) const fn with_bar(self, bar: ShowBar) -> Self {

@@ -4,10 +4,11 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
-use super::layer::{SelectedLayer, ShadingType};
 use super::surface::Surface;
 use crate::compile::LightValues;
 use crate::document::{Light, LightFrames, LightKind};
+use crate::placing::Parametrization;
+use crate::state::layer::SelectedLayer;
 use crate::state::session::Session;
 
 /// Angle of a pixel that shows no surface.
@@ -62,15 +63,15 @@ impl Field {
             }
             let l = toward.at(surface.positions[pixel]);
             match layer.shading {
-                ShadingType::Diffuse => between(normal, l),
-                ShadingType::Specular => {
+                Parametrization::Diffuse => between(normal, l),
+                Parametrization::Specular => {
                     let view = surface.toward_viewer(pixel);
                     between((2.0 * normal.dot(view) * normal - view).normalize_or(normal), l)
                 }
-                ShadingType::HalfVector => {
+                Parametrization::HalfVector => {
                     between(normal, (l + surface.toward_viewer(pixel)).normalize_or(normal))
                 }
-                ShadingType::ScreenAligned => between(rotation * normal, own * l),
+                Parametrization::ScreenAligned => between(rotation * normal, own * l),
             }
         };
         let mut angles: Vec<f32> = (0..surface.normals.len()).map(angle).collect();
@@ -237,16 +238,18 @@ impl EdgeJoints {
 pub(super) fn direction_at(
     surface: &Surface,
     pixel: usize,
-    shading: ShadingType,
+    shading: Parametrization,
     light: &LightValues,
 ) -> DVec3 {
     let normal = surface.normals[pixel].as_dvec3();
     let view = surface.toward_viewer(pixel).as_dvec3();
     match shading {
-        ShadingType::Diffuse => normal,
-        ShadingType::Specular | ShadingType::HalfVector => 2.0 * normal.dot(view) * normal - view,
+        Parametrization::Diffuse => normal,
+        Parametrization::Specular | Parametrization::HalfVector => {
+            2.0 * normal.dot(view) * normal - view
+        }
         // The normal in camera axes is compared with the light in its own frame.
-        ShadingType::ScreenAligned => {
+        Parametrization::ScreenAligned => {
             light.own_from_world.transpose() * (surface.camera_from_world() * normal)
         }
     }

@@ -2,7 +2,8 @@
 
 use eframe::egui::{Pos2, Rect};
 
-use super::{Drag, Handles, Viewport, is_on_object, layer};
+use super::{Drag, Handles, Viewport, is_on_object};
+use crate::state::layer;
 use crate::state::session::Session;
 
 impl Viewport {

@@ -12,11 +12,11 @@ use eframe::egui::{
 };
 
 use super::field::{Field, Line, light_values};
-use super::layer::{Curve, SelectedLayer};
 use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::Value;
+use crate::state::layer::{Curve, SelectedLayer};
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::theme;

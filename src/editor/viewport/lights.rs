@@ -14,7 +14,6 @@ use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
 use glam::DVec3;
 
 use super::field::direction_at;
-use super::layer::ShadingType;
 use super::project;
 use super::surface::Surface;
 use crate::commands::Command;
@@ -22,6 +21,8 @@ use crate::compile::LightValues;
 use crate::document::{Light, LightKind, Projection, Value};
 use crate::fields::lighting::{OwnedLight, set_light_at};
 use crate::ids::LightId;
+use crate::placing::Parametrization;
+use crate::state::layer::middle_name;
 use crate::state::orbit::Orbit;
 use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
@@ -36,7 +37,7 @@ const REACH: f32 = 8.0;
 #[derive(Clone, Debug, PartialEq)]
 enum Grip {
     /// The middle of the light's lit part.
-    Middle(ShadingType),
+    Middle(Parametrization),
     /// The end of the light's needle: whether it is behind the object, and whether the drag has
     /// left the ball.
     Needle { is_behind: bool, is_outside: bool },
@@ -51,7 +52,7 @@ pub(super) struct HeldLight {
 
 impl HeldLight {
     /// Drag of a light by the middle of its lit part.
-    pub(super) fn by_middle(light: LightId, shading: ShadingType) -> Self {
+    pub(super) fn by_middle(light: LightId, shading: Parametrization) -> Self {
         Self { light, grip: Grip::Middle(shading) }
     }
 
@@ -69,7 +70,7 @@ impl HeldLight {
                 format!(
                     "Drag to turn the light {name}: its {} follows the pointer, beyond the outline \
                      it goes behind",
-                    shading.middle()
+                    middle_name(*shading)
                 )
             }
             Grip::Needle { .. } => {
@@ -149,7 +150,7 @@ pub(super) fn drag(
 /// there.
 fn at_surface(
     surface: &Surface,
-    shading: ShadingType,
+    shading: Parametrization,
     light: &LightValues,
     rect: Rect,
     at: Pos2,
@@ -158,7 +159,9 @@ fn at_surface(
     let pixel = surface.nearest(place)?;
     let toward = direction_at(surface, pixel, shading, light);
     let position = surface.positions[pixel].as_dvec3();
-    if surface.is_at(place) || matches!(shading, ShadingType::Specular | ShadingType::HalfVector) {
+    if surface.is_at(place)
+        || matches!(shading, Parametrization::Specular | Parametrization::HalfVector)
+    {
         return Some((toward, position));
     }
     // Beyond the outline the light goes on behind the object: a quarter turn per quarter of the
@@ -168,7 +171,7 @@ fn at_surface(
     let beyond = f64::from((at.distance(rim) / (rect.height() * 0.25)).min(1.0))
         * std::f64::consts::FRAC_PI_2;
     let back = match shading {
-        ShadingType::ScreenAligned => light.own_from_world.transpose() * DVec3::Z,
+        Parametrization::ScreenAligned => light.own_from_world.transpose() * DVec3::Z,
         _ => surface.toward_viewer(pixel).as_dvec3(),
     };
     let aside = (toward - back * toward.dot(back)).try_normalize()?;

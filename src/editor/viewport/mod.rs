@@ -12,7 +12,6 @@ mod export;
 mod field;
 mod hints;
 mod isocurves;
-mod layer;
 mod lights;
 mod objects;
 pub(crate) mod picture;
@@ -31,13 +30,16 @@ use std::sync::Arc;
 use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, PictureExport, SceneCommand, ViewCommand, keyboard};
 use crate::ids::ObjectId;
+use crate::placing::Parametrization;
 use crate::render::Gpu;
+use crate::state::layer::{self, Curve, SelectedLayer};
 use crate::state::orbit::Orbit;
 use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 use crate::tools::fitting::FitTool;
 use crate::tools::handles::HandlesSwitch;
+use crate::tools::placing::PlacingTool;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::ViewportPicture;
@@ -46,7 +48,7 @@ use crate::widgets::theme;
 use backdrop::{show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
-use layer::{Curve, SelectedLayer};
+
 use place::{is_on_object, place_in, project};
 use show::{ReferenceImage, ReferencePlacement};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
@@ -170,7 +172,9 @@ impl Viewport {
             .flatten();
         let is_free = tools.with_pointer().is_none();
         let has_handles = tools.of::<HandlesSwitch>().is_on;
-        let mut handles = self.handles(rect, session, has_handles, is_free);
+        // While a light is placed, the layer's lines show where it has come.
+        let has_lines = is_free || tools.of::<PlacingTool>().is_on();
+        let mut handles = self.handles(rect, session, has_handles, has_lines);
         out.extend(handles.places.take().map(SceneCommand::Locate).map(Command::Scene));
         let hovered = objects::seen(
             session,
@@ -187,7 +191,7 @@ impl Viewport {
         let is_stroke =
             self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
         let context = PictureContext { session, response: &response, rect, pointer };
-        if !(tools.of::<FitTool>().is_on() && is_stroke) {
+        if !(tools.takes_drags() && is_stroke) {
             self.drags(ui, &context, &mut view, &handles, &mut out);
         }
         self.wheel_and_keys(ui, &context, &mut view, tools.of(), &mut out);
@@ -317,8 +321,8 @@ impl Viewport {
     ) -> Option<Drag> {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
-        let chosen = of_layer
-            .or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
+        let chosen =
+            of_layer.or_else(|| Some((layer::selected_light(session)?, Parametrization::Diffuse)));
         if let Some((light, shading)) = chosen {
             let is_there =
                 handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));

@@ -4,7 +4,6 @@ use eframe::egui::{Pos2, Rect, vec2};
 use glam::DVec3;
 
 use super::Handles;
-use crate::document::Projection;
 use crate::state::session::Session;
 
 /// Point of the screen in parts of the picture's size.
@@ -28,16 +27,6 @@ pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Ha
 
 /// Position of a point of the world on the screen; `None` behind the eye.
 pub(super) fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
-    let view = &session.view.orbit;
-    let (right, up) = view.right_and_up();
-    let from_eye = point - (view.target + view.direction() * view.distance);
-    let depth = -from_eye.dot(view.direction());
-    let span = match view.projection {
-        Projection::Perspective if depth <= 1e-6 => return None,
-        Projection::Perspective => 2.0 * depth * (view.fov / 2.0).tan(),
-        Projection::Orthographic => view.height(),
-    };
-    let scale = f64::from(rect.height()) / span;
-    let (x, y) = (from_eye.dot(right) * scale, from_eye.dot(up) * scale);
-    Some(rect.center() + vec2(x as f32, -y as f32))
+    let [x, y] = session.view.orbit.place_in_picture(point)?;
+    Some(rect.center() + vec2(x as f32, -y as f32) * rect.height())
 }

@@ -7,9 +7,9 @@ use eframe::egui::{
     Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 
-use super::layer::{Curve, SelectedLayer, Setting};
 use crate::commands::Command;
 use crate::document::Value;
+use crate::state::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::theme;

@@ -2,9 +2,10 @@
 
 use eframe::egui::{Key, Modifiers};
 
-use super::{CTRL, CommandRow, KeyScope, NONE, row};
+use super::{CTRL, CommandRow, KeyScope, NONE, SHIFT, row};
 use crate::commands::{
-    Command as C, FitCommand as F, FitGoal, LightBrush, Switch, ViewCommand as V,
+    Command as C, FitCommand as F, FitGoal, LightBrush, LightMark, PlacingCommand, Switch,
+    ViewCommand as V,
 };
 
 fn view(command: V, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
@@ -15,8 +16,25 @@ fn fit(command: F, label: &'static str, keys: &'static [(Modifiers, Key)]) -> Co
     row(C::Fit(command), label, keys, KeyScope::Light)
 }
 
+fn place(mark: LightMark, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
+    row(C::Placing(PlacingCommand::By(mark)), label, keys, KeyScope::Picture).help(mark.help())
+}
+
 pub(super) fn rows() -> Vec<CommandRow> {
     vec![
+        place(LightMark::Highlight, "Place the light by its highlight", &[(SHIFT, Key::H)]),
+        place(LightMark::Shadow, "Place the light by its shadow", &[(SHIFT, Key::S)]),
+        place(LightMark::Terminator, "Place the light by its terminator", &[(SHIFT, Key::T)]),
+        row(
+            C::Placing(PlacingCommand::Turn(Switch::Toggle)),
+            "Place a light",
+            &[],
+            KeyScope::Picture,
+        )
+        .help(
+            "Puts the light of the selected layer where its highlight, its shadow or its \
+                 terminator is at the place that is clicked",
+        ),
         row(C::Probe(Switch::Toggle), "Probe a pixel", &[(NONE, Key::I)], KeyScope::Picture)
             .help("Reads the value on every wire at a pixel, f32 beside f64"),
         view(V::Reset, "Reset camera and lights", &[(NONE, Key::R)])

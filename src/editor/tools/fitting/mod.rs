@@ -47,6 +47,7 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |tools, ui, out| tools.of::<FitTool>().toggle(ui, out),
 )
 .with_pointer(|tools| tools.of::<FitTool>().hint())
+.with_drags()
 .with_bar(|tools, ui, _| tools.of_mut::<FitTool>().bar(ui))
 .with_interaction(|tools, ui, PictureContext { session, response, rect, .. }| {
     tools.of_mut::<FitTool>().interact(ui, response, *rect, session)

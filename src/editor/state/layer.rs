@@ -7,66 +7,43 @@ use crate::catalog::NodeKind;
 use crate::document::{Graph, Node, Target, Value};
 use crate::ids::{LightId, NodeId};
 use crate::library::Type;
+use crate::placing::Parametrization;
 use crate::state::session::Session;
 use crate::values;
 
 /// Largest number of reroutes that a wire is followed through.
 const MOST_REROUTES: usize = 64;
 
-/// Direction of the surface that the angle to the light is measured from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ShadingType {
-    Diffuse,
-    Specular,
-    ScreenAligned,
-    HalfVector,
-}
-
-impl ShadingType {
-    fn of(word: &str) -> Option<Self> {
-        Some(match word {
-            "diffuse" => Self::Diffuse,
-            "specular" => Self::Specular,
-            "screen_aligned" => Self::ScreenAligned,
-            "half_vector" => Self::HalfVector,
-            _ => return None,
-        })
-    }
-
-    /// Name of the place where the angle is 0.
-    pub(super) fn middle(self) -> &'static str {
-        match self {
-            Self::Diffuse | Self::ScreenAligned => "bright middle",
-            Self::Specular | Self::HalfVector => "highlight",
-        }
-    }
+/// Name of the place where a parametrization's angle is 0.
+pub(crate) fn middle_name(parametrization: Parametrization) -> &'static str {
+    if parametrization.mirrors() { "highlight" } else { "bright middle" }
 }
 
 /// Input with its value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Setting<T> {
-    pub(super) target: Target,
+pub(crate) struct Setting<T> {
+    pub(crate) target: Target,
     /// Present value, which is drawn.
-    pub(super) value: T,
+    pub(crate) value: T,
     /// Value that an edit would change: that of the current key; differs from `value` where keys
     /// are blended.
-    pub(super) at_key: T,
+    pub(crate) at_key: T,
     /// True if the value comes from a wire, so that it cannot be set.
-    pub(super) is_wired: bool,
+    pub(crate) is_wired: bool,
 }
 
 /// Curve of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Curve {
+pub(crate) enum Curve {
     Offset,
     Falloff,
     Cutoff,
 }
 
 impl Curve {
-    pub(super) const ALL: [Self; 3] = [Self::Offset, Self::Falloff, Self::Cutoff];
+    pub(crate) const ALL: [Self; 3] = [Self::Offset, Self::Falloff, Self::Cutoff];
 
-    pub(super) fn port(self) -> &'static str {
+    pub(crate) fn port(self) -> &'static str {
         match self {
             Self::Offset => "offset",
             Self::Falloff => "falloff",
@@ -74,7 +51,7 @@ impl Curve {
         }
     }
 
-    pub(super) fn label(self) -> &'static str {
+    pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Offset => "Offset",
             Self::Falloff => "Fall-off",
@@ -85,31 +62,31 @@ impl Curve {
 
 /// Selected layer: a group with the inputs of a layer, or a profile with the nodes that feed it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct SelectedLayer {
-    pub(super) node: NodeId,
-    pub(super) name: String,
-    pub(super) light: LightId,
-    pub(super) shading: ShadingType,
+pub(crate) struct SelectedLayer {
+    pub(crate) node: NodeId,
+    pub(crate) name: String,
+    pub(crate) light: LightId,
+    pub(crate) shading: Parametrization,
     /// Offset, fall-off and cut-off in radians, as in the document.
-    pub(super) shape: [Setting<f64>; 3],
-    pub(super) slope: Option<Setting<f64>>,
-    pub(super) amount: Option<Setting<f64>>,
+    pub(crate) shape: [Setting<f64>; 3],
+    pub(crate) slope: Option<Setting<f64>>,
+    pub(crate) amount: Option<Setting<f64>>,
     /// Colors of the convex and the concave side, with their names.
-    pub(super) colors: Vec<(&'static str, Setting<[f64; 4]>)>,
+    pub(crate) colors: Vec<(&'static str, Setting<[f64; 4]>)>,
     /// Slope and amount, where known.
-    pub(super) warp: Option<(f64, f64)>,
+    pub(crate) warp: Option<(f64, f64)>,
     /// Effects that the curves do not show.
-    pub(super) leaves_out: Option<&'static str>,
+    pub(crate) leaves_out: Option<&'static str>,
 }
 
 impl SelectedLayer {
     /// Offset, fall-off and cut-off as the profile uses them: in order, 0 to pi (docs/math.md D2).
-    pub(super) fn angles(&self) -> [f64; 3] {
+    pub(crate) fn angles(&self) -> [f64; 3] {
         self.in_order(|setting| setting.value)
     }
 
     /// Angles that an edit would change: those of the current key.
-    pub(super) fn angles_at_key(&self) -> [f64; 3] {
+    pub(crate) fn angles_at_key(&self) -> [f64; 3] {
         self.in_order(|setting| setting.at_key)
     }
 
@@ -214,7 +191,7 @@ impl<'a> NodeInGraph<'a> {
 }
 
 /// Layer of the node that was selected last, if there is one.
-pub(super) fn selected(session: &Session) -> Option<SelectedLayer> {
+pub(crate) fn selected(session: &Session) -> Option<SelectedLayer> {
     if session.graph_view().is_read_only() {
         return None;
     }
@@ -235,12 +212,25 @@ pub(super) fn selected(session: &Session) -> Option<SelectedLayer> {
 }
 
 /// Selected light: that of a layer, or that of a Light node.
-pub(super) fn selected_light(session: &Session) -> Option<LightId> {
+pub(crate) fn selected_light(session: &Session) -> Option<LightId> {
     NodeInGraph::of(session, session.selection.nodes.last()?)?.light()
 }
 
+/// Layers of the open graph that a light feeds, the selected one first.
+pub(crate) fn fed_by(session: &Session, light: &LightId) -> Vec<SelectedLayer> {
+    let chosen = selected(session);
+    let nodes = session.graph().nodes.keys();
+    let of_graph = nodes.filter_map(|id| {
+        let place = NodeInGraph::of(session, id)?;
+        group(&place).or_else(|| profile(&place))
+    });
+    let is_chosen = |layer: &SelectedLayer| chosen.as_ref().is_some_and(|it| it.node == layer.node);
+    let others: Vec<SelectedLayer> = of_graph.filter(|layer| !is_chosen(layer)).collect();
+    chosen.into_iter().chain(others).filter(|layer| layer.light == *light).collect()
+}
+
 fn group(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
-    let shading = ShadingType::of(place.word("type")?)?;
+    let shading = Parametrization::of(place.word("type")?)?;
     let shape = place.shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
     let known = |setting: &Option<Setting<f64>>| {
@@ -302,7 +292,7 @@ fn profile(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
         node: place.id.clone(),
         name: place.name(),
         light: light.light()?,
-        shading: ShadingType::of(angle.word("type")?)?,
+        shading: Parametrization::of(angle.word("type")?)?,
         shape: place.shape()?,
         slope,
         amount,
