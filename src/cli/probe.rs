@@ -11,13 +11,17 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Assets, PlanOptions, Planner, open};
 use crate::progress::Progress;
-use crate::reference::{ReferenceOptions, WireValue, probe_wires};
+use crate::reference::{
+    LightAccount, ReferenceOptions, WireValue, light_accounts, probe_surface, probe_wires,
+    surface_setup,
+};
 
 const EXAMPLES: &str = "\
 Examples:
   chiaro probe look.json --at 260,180
   chiaro probe look.json --at 260,180 --size 512x512 --mesh shape:sphere
   chiaro probe scene.json --at 40,60 --time 1.5 --json
+  chiaro probe scene.json --at 40,60 --lights
 
 The look is run as it is written, nothing folded, by the reference: once with every operation \
 rounded to f32, as a GPU
@@ -45,6 +49,10 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
+    /// Tell why the pixel is lit so: each light, how strong it arrives, what the look makes of it,
+    /// and the rule by which it reaches the object or does not
+    #[arg(long)]
+    lights: bool,
     /// Print the values as JSON
     #[arg(long)]
     json: bool,
@@ -66,7 +74,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
-    let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?.value;
+    let mut planner = Planner::for_truth(assets);
+    let plan = planner.plan(&setup, &library, &Live::All, &options)?.value;
     let wires = probe_wires(&plan, arguments.at, &ReferenceOptions::default(), &Progress::new())
         .map_err(|one| vec![one])?;
     let Some(wires) = wires else {
@@ -75,7 +84,22 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             Diagnostic::error("nothing-there", message).hint("choose a pixel on an object"),
         ]);
     };
-    if arguments.json {
+    let lights = if arguments.lights {
+        let of_surface = surface_setup(&setup, false);
+        let surfaces = planner.plan(&of_surface, &library, &Live::All, &options)?.value;
+        let surface = probe_surface(&surfaces, arguments.at, &Progress::new());
+        let surface = surface.map_err(|one| vec![one])?;
+        surface.map_or_else(Vec::new, |surface| {
+            light_accounts(&setup, &library, &plan, &wires, &surface)
+        })
+    } else {
+        Vec::new()
+    };
+    if arguments.lights && arguments.json {
+        output.json(&lights.iter().map(light_json).collect());
+    } else if arguments.lights {
+        output.result(&light_list(&lights));
+    } else if arguments.json {
         let rows = wires.iter().map(|wire| {
             json!({
                 "node": wire.node.to_string(), "name": wire.name, "f32": wire.single,
@@ -105,4 +129,41 @@ fn table(wires: &[WireValue]) -> String {
         )
     });
     lines.collect::<Vec<_>>().join("\n")
+}
+
+fn light_json(account: &LightAccount) -> serde_json::Value {
+    let readings = account.readings.iter().map(|reading| {
+        json!({
+            "node": reading.node.to_string(), "what": reading.label, "value": reading.value})
+    });
+    json!({
+        "light": account.light, "name": account.name, "reaches": account.reaches,
+        "rule": account.rule, "energy": account.energy, "facing": account.facing,
+        "distance": account.distance, "readings": readings.collect::<Vec<_>>()})
+}
+
+/// A light a line, those that reach the pixel first; then what the look's nodes make of each.
+fn light_list(lights: &[LightAccount]) -> String {
+    if lights.is_empty() {
+        return "no lights".to_owned();
+    }
+    let width = lights.iter().map(|account| account.light.as_str().len()).max().unwrap_or(0);
+    let mut lines = Vec::new();
+    for account in lights {
+        let id = account.light.as_str();
+        let facing = account.facing.to_degrees();
+        let strength = match account.reaches {
+            true => {
+                format!("arrives with {:.4}, {facing:.1} degrees from the normal", account.energy)
+            }
+            false => "does not reach it".to_owned(),
+        };
+        lines.push(format!("{id:<width$}  {strength}: {}", account.rule));
+        let pad = " ".repeat(width + 2);
+        let told = account.readings.iter().map(|reading| {
+            format!("{pad}{} of {}: {:.6}", reading.label, reading.node, reading.value)
+        });
+        lines.extend(told);
+    }
+    lines.join("\n")
 }

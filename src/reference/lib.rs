@@ -29,7 +29,7 @@
 
 use chiaro_compiler::{document, library};
 use chiaro_language::{diag, ids, interp, progress, wgsl};
-use chiaro_scene::{frame, hcbtf, threads};
+use chiaro_scene::{frame, hcbtf, placing, threads};
 
 mod batches;
 mod clip;
@@ -40,6 +40,7 @@ mod fullscreen;
 mod gather;
 mod geometry;
 mod interpolate;
+mod lighting;
 mod modules;
 mod options;
 mod picture;
@@ -49,6 +50,7 @@ mod raster;
 mod reference;
 mod setup;
 mod shader;
+mod surface;
 mod texels;
 mod tile;
 mod tiles;
@@ -59,6 +61,7 @@ pub use executor::{PassImages, ShaderFactory, execute, execute_screens};
 pub use fullscreen::shade_all;
 pub use gather::{GatheredFragments, GatheredPixel, PixelSheet};
 pub use geometry::Triangles;
+pub use lighting::{LightAccount, LightReading, light_accounts};
 pub use modules::Modules;
 pub use options::{ImageRounding, ReferenceOptions, SnapGrid};
 pub use picture::ReferencePicture;
@@ -70,6 +73,7 @@ pub use shader::{
     FragmentStage, LANES, QUADS, QuadBatch, Shader, ShaderOutputs, Varying, VaryingInterpolation,
     VertexStage,
 };
+pub use surface::{ProbedSurface, probe_surface, surface_look, surface_setup};
 pub use texels::{Coverage, Texels};
 pub use tile::PassTarget;
 pub use tiles::{BakedLook, TILE_SAMPLES, bake_look, bake_look_sampled};

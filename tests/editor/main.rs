@@ -19,6 +19,7 @@ mod paint_parts;
 mod paint_shots;
 mod panels;
 mod picture;
+mod placing;
 mod rest;
 mod safety;
 mod scene;

@@ -6,6 +6,7 @@ pub(crate) mod fitting;
 pub(crate) mod handles;
 pub(crate) mod placing;
 pub(crate) mod probe;
+mod surface;
 mod table;
 pub(crate) mod wipe;
 

@@ -1,5 +1,5 @@
 //! Placing of lights by what they do: where a light must stand so that its highlight, its shadow or
-//! the edge of its lit part is at a given point of a surface (docs/math.md 13.16).
+//! the edge of its lit part is at a given point of a surface (docs/math.md 13).
 //!
 //! [`place_light`] inverts the angle of a parametrization, or takes the line through a caster and
 //! the place of its shadow; [`terminator_angle`] inverts a profile. Where a goal leaves a light

@@ -36,9 +36,8 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
 )
 .with_pointer(|tools| &tools.of::<PlacingTool>().hint)
 .with_drags()
-.with_bar(|tools, ui, session| tools.of_mut::<PlacingTool>().bar(ui, session))
 .with_interaction(|tools, ui, context| tools.of_mut::<PlacingTool>().interact(ui, context))
-.with_overlay(|tools, ui, context, _| tools.of::<PlacingTool>().over(ui, context))
+.with_overlay(|tools, ui, context, _| tools.of_mut::<PlacingTool>().over(ui, context))
 .with_jobs(|tools| tools.of::<PlacingTool>());
 
 /// Light that is being placed, from the press on.
@@ -334,15 +333,16 @@ impl PlacingTool {
         format!("{}{next} · {escape}", told.unwrap_or_default())
     }
 
-    /// Marks the caster, and the way from it to the pointer.
-    fn over(&self, ui: &Ui, context: &PictureContext<'_>) {
+    /// Shows the bar over the picture, the caster, and the way from it to the pointer.
+    fn over(&mut self, ui: &mut Ui, context: &PictureContext<'_>) {
         if !self.is_on {
             return;
         }
         let PictureContext { session, response, rect, .. } = *context;
-        if response.contains_pointer() {
+        if response.hovered() {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
         }
+        self.bar(ui, rect, session);
         let Some([x, y]) = self.caster.and_then(|at| session.view.orbit.place_in_picture(at))
         else {
             return;
@@ -437,3 +437,6 @@ impl Drop for PlacingTool {
         self.progress.stop();
     }
 }
+
+#[cfg(test)]
+mod tests;

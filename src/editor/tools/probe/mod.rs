@@ -1,6 +1,7 @@
 //! Probe: the value of every wire at the pixel under the pointer, computed in the background by the
 //! reference, once with the rounding of a GPU and once in f64.
 
+mod lights;
 mod panel;
 
 pub(crate) use panel::wire_name;
@@ -13,10 +14,11 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
-use crate::reference::{ReferenceOptions, WireValue, probe_wires};
+use crate::reference::{LightAccount, ReferenceOptions, WireValue, light_accounts, probe_wires};
 use crate::state::session::Session;
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
+use crate::tools::surface::read_surface;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use crate::widgets::theme;
 
@@ -61,8 +63,14 @@ struct ProbeRequest {
 
 struct ProbeResult {
     spot: ProbeSpot,
-    /// Values of the wires; `None` where nothing is drawn.
-    result: Result<Option<Vec<WireValue>>, Vec<Diagnostic>>,
+    /// Values of the wires, and what lights are there; `None` where nothing is drawn.
+    result: Result<Option<ProbedPixel>, Vec<Diagnostic>>,
+}
+
+/// Values at a pixel.
+struct ProbedPixel {
+    wires: Vec<WireValue>,
+    lights: Vec<LightAccount>,
 }
 
 /// The probe and its last result.
@@ -78,14 +86,16 @@ pub struct Probe {
     progress: Progress,
     found: Option<ProbeResult>,
     jump: bool,
+    /// True if the panel lists lights and not wires.
+    lists_lights: bool,
 }
 
 impl Probe {
     /// Creates a probe that is off. `wake` is called from another thread when there is a result.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planner = CachedPlanner::new(Planner::for_truth);
+        let mut planners = [0; 2].map(|_| CachedPlanner::new(Planner::for_truth));
         Self {
-            worker: Worker::new("probe", wake, move |query| probe(&mut planner, query)),
+            worker: Worker::new("probe", wake, move |query| probe(&mut planners, query)),
             is_on: false,
             is_pinned: false,
             pixel: None,
@@ -95,6 +105,7 @@ impl Probe {
             progress: Progress::new(),
             found: None,
             jump: false,
+            lists_lights: false,
         }
     }
 
@@ -110,10 +121,16 @@ impl Probe {
 
     /// Wires of the last result, in the order of their computation.
     pub fn wires(&self) -> &[WireValue] {
-        self.found
-            .as_ref()
-            .and_then(|found| found.result.as_ref().ok()?.as_deref())
-            .unwrap_or_default()
+        self.pixel_found().map_or(&[], |found| &found.wires)
+    }
+
+    /// What each light is to the pixel: those that reach it, by their energy, then the others.
+    pub fn lights(&self) -> &[LightAccount] {
+        self.pixel_found().map_or(&[], |found| &found.lights)
+    }
+
+    fn pixel_found(&self) -> Option<&ProbedPixel> {
+        self.found.as_ref().and_then(|found| found.result.as_ref().ok()?.as_ref())
     }
 
     pub(crate) fn turn(&mut self, on: bool) {
@@ -268,8 +285,9 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     })
 }
 
+/// Probes a pixel. The second planner is for the surface there alone.
 fn probe(
-    planner: &mut CachedPlanner,
+    [planner, of_surface]: &mut [CachedPlanner; 2],
     ProbeRequest { spot, snapshot, progress }: ProbeRequest,
 ) -> ProbeResult {
     let planner = planner.of(&snapshot.look, &snapshot.library);
@@ -280,10 +298,16 @@ fn probe(
         let wires = probe_wires(&plan, spot.pixel, &ReferenceOptions::default(), &progress)
             .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
-        match seen.and_then(|draw| other_look(&setup, draw)) {
-            Some(problem) => Err(vec![problem]),
-            None => Ok(wires),
+        if let Some(problem) = seen.and_then(|draw| other_look(&setup, draw)) {
+            return Err(vec![problem]);
         }
+        let Some(wires) = wires else { return Ok(None) };
+        let place = (spot.pixel, spot.size);
+        let surface = read_surface(of_surface, &snapshot, place, false, &progress)?;
+        let lights = surface.map_or_else(Vec::new, |surface| {
+            light_accounts(&setup, &snapshot.library, &plan, &wires, &surface.seen)
+        });
+        Ok(Some(ProbedPixel { wires, lights }))
     };
     let result = find();
     ProbeResult { spot, result }

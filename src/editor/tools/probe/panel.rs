@@ -3,7 +3,7 @@
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
-use super::Probe;
+use super::{Probe, lights};
 use crate::commands::Command;
 use crate::ids::NodePath;
 use crate::progress::Interruption;
@@ -15,7 +15,8 @@ use crate::values::number_text;
 use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
-const ROW: f32 = 20.0;
+/// Height of a row, in points.
+pub(super) const ROW: f32 = 20.0;
 
 /// Left ends of the columns, as parts of the width.
 const COLUMNS: [f32; 4] = [0.0, 0.3, 0.57, 0.84];
@@ -36,8 +37,11 @@ impl Probe {
         match self.found.as_ref().map(|found| &found.result) {
             None => hint(ui, "Rest the pointer on the picture, or click to keep a pixel."),
             Some(Ok(None)) => hint(ui, "Nothing is drawn there."),
-            Some(Ok(Some(wires))) => {
-                commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)));
+            Some(Ok(Some(found))) if self.lists_lights => {
+                commands.extend(lights::table(ui, session, &found.lights));
+            }
+            Some(Ok(Some(found))) => {
+                commands.extend(table(ui, session, &found.wires, std::mem::take(&mut self.jump)));
             }
             Some(Err(found)) => {
                 for problem in
@@ -63,6 +67,7 @@ impl Probe {
             if !self.is_on {
                 return;
             }
+            self.lists(ui);
             if let Some([x, y]) = self.pixel {
                 let kept = if self.is_pinned { " · kept" } else { "" };
                 ui.label(RichText::new(format!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
@@ -81,6 +86,7 @@ impl Probe {
                         "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
+                        self.lists_lights = false;
                         commands.push(Command::Show(NodePath::root(node)));
                     }
                 });
@@ -88,13 +94,34 @@ impl Probe {
         });
         ui.add_space(2.0);
     }
+
+    /// Shows the choice between the lists.
+    fn lists(&mut self, ui: &mut Ui) {
+        let lists = [
+            (false, "Wires", "The value on every wire at the pixel, f32 beside f64"),
+            (
+                true,
+                "Lights",
+                "Why it is lit so: each light with its strength there, and the rule by \
+                              which it reaches the object or does not",
+            ),
+        ];
+        for (lists_lights, label, help) in lists {
+            ui.selectable_value(&mut self.lists_lights, lists_lights, label).on_hover_text(help);
+        }
+    }
 }
 
 fn column(rect: Rect, index: usize) -> Rect {
+    column_of(rect, &COLUMNS, index)
+}
+
+/// Column of a row, by the left ends of all columns as parts of the width.
+pub(super) fn column_of(rect: Rect, columns: &[f32], index: usize) -> Rect {
     let inner = Rect::from_min_max(rect.min + vec2(10.0, 0.0), rect.max);
-    let end = COLUMNS.get(index + 1).copied().unwrap_or(1.0);
+    let end = columns.get(index + 1).copied().unwrap_or(1.0);
     let x = |part: f32| inner.left() + part * inner.width();
-    Rect::from_min_max(pos2(x(COLUMNS[index]), rect.top()), pos2(x(end) - 8.0, rect.bottom()))
+    Rect::from_min_max(pos2(x(columns[index]), rect.top()), pos2(x(end) - 8.0, rect.bottom()))
 }
 
 fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec<Command> {

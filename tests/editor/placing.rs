@@ -1,0 +1,215 @@
+//! A light is placed by what it does, by clicks and drags on the picture, and the probe reads there
+//! what was asked for.
+
+use std::fs;
+
+use chiaro::document::{Edit, GraphId, Light, Value};
+use eframe::egui::{Key, Pos2, vec2};
+
+use crate::editor_support::{User, node_center};
+
+/// A window with a new look on a ball, its layer selected.
+fn on_ball() -> User {
+    let mut hand = User::new();
+    hand.app_mut().show_on("shape:sphere");
+    hand.click(node_center(&hand, "diffuse"));
+    hand.key(Key::Escape);
+    hand.settle();
+    hand
+}
+
+/// A point of the picture, in heights from its middle.
+fn at(hand: &User, x: f32, y: f32) -> Pos2 {
+    let rect = hand.app().viewport().rect().unwrap();
+    rect.center() + vec2(x, -y) * rect.height()
+}
+
+fn key(hand: &User) -> Light {
+    hand.look().lights["key"].clone()
+}
+
+/// Numbers of a node at a point of the picture, as the probe reads them.
+fn probed(hand: &mut User, point: Pos2, node: &str) -> Vec<f64> {
+    hand.press("Probe pixel");
+    hand.click(point);
+    hand.settle();
+    let wires = hand.app().probe().wires();
+    let of_node = wires.iter().filter(|wire| wire.node.to_string() == node);
+    let numbers = of_node.last().unwrap_or_else(|| panic!("{node}: {wires:?}")).double.clone();
+    hand.press("Probe pixel");
+    numbers
+}
+
+#[test]
+fn the_terminator_goes_where_the_model_is_clicked() {
+    let mut hand = on_ball();
+    let (old, steps) = (key(&hand), hand.app().session().steps().done());
+    let place = at(&hand, 0.12, 0.05);
+    hand.press("Place light");
+    hand.press("Place by its terminator");
+    hand.click(place);
+    hand.settle();
+    assert!(hand.app().placing().hint().starts_with("The terminator of"));
+    assert_eq!(hand.app().session().steps().done(), steps + 1, "a click is a step");
+    assert_ne!(key(&hand), old);
+    let tone = probed(&mut hand, place, "diffuse/tone");
+    assert!((tone[0] - 0.5).abs() < 1e-4, "{tone:?}");
+    assert!(!hand.app().placing().is_on(), "the probe has the pointer now");
+    hand.undo();
+    assert_eq!(key(&hand), old);
+}
+
+#[test]
+fn a_light_follows_a_drag_and_escape_gives_it_back() {
+    let mut hand = on_ball();
+    let (old, steps) = (key(&hand), hand.app().session().steps().done());
+    hand.press("Place light");
+    let points = [(0.0, 0.1), (0.05, 0.1), (0.1, 0.12)].map(|(x, y)| at(&hand, x, y));
+    hand.hold(points[0]);
+    hand.settle();
+    let first = key(&hand);
+    hand.move_to(points[1]);
+    hand.settle();
+    assert!(key(&hand) != first && first != old, "it follows");
+    assert_eq!(hand.app().session().steps().done(), steps + 1);
+    hand.key(Key::Escape);
+    assert_eq!((key(&hand), hand.app().session().steps().done()), (old.clone(), steps));
+    hand.release(points[1]);
+    hand.settle();
+    assert_eq!(key(&hand), old, "nothing comes after it");
+    assert!(hand.app().placing().is_on());
+    hand.drag(points[0], points[2]);
+    hand.settle();
+    assert_eq!(hand.app().session().steps().done(), steps + 1, "a drag is one step");
+    let angle = probed(&mut hand, points[2], "diffuse/angle");
+    assert!(2.0 * angle[0].atan2(angle[1]) < 1e-4, "{angle:?}");
+    hand.undo();
+    assert_eq!(key(&hand), old);
+}
+
+#[test]
+fn what_cannot_be_says_why_and_changes_nothing() {
+    let mut hand = on_ball();
+    hand.press("Place light");
+    let (old, beside) = (key(&hand), at(&hand, 0.6, 0.45));
+    hand.click(beside);
+    hand.settle();
+    assert!(hand.app().placing().hint().starts_with("Nothing is there"));
+    hand.press("Place by its terminator");
+    let place = at(&hand, 0.1, 0.1);
+    // An ambient profile has no edge.
+    for port in ["offset", "falloff", "cutoff"] {
+        let value = Value::Number(std::f64::consts::PI);
+        let (graph, id) = (GraphId::Look, "diffuse".into());
+        let edit = Edit::SetValue { graph, id, port: port.into(), value, index: None };
+        hand.app_mut().session_mut().apply(edit, None).unwrap();
+    }
+    hand.click(place);
+    hand.settle();
+    let hint = hand.app().placing().hint().to_owned();
+    assert!(hint.contains("is ambient"), "{hint}");
+    assert_eq!(key(&hand), old);
+    hand.key(Key::Escape);
+    assert!(!hand.app().placing().is_on());
+}
+
+#[test]
+fn the_lamp_of_a_scene_goes_where_its_shadow_falls() {
+    let folder = tempfile::tempdir().unwrap();
+    let look = r#"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+        "nodes": [{"id": "shadow", "kind": "cast_shadow", "values": {"light": "key"}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "shadow", "to": "output.color"}]}"#;
+    fs::write(folder.path().join("look.json"), look).unwrap();
+    let scene = r#"{"chiaro": "scene",
+        "lights": {"key": {"type": "point", "space": "world", "position": [0, 4, 1]}},
+        "objects": [
+            {"id": "ball", "mesh": "shape:sphere", "looks": "look.json",
+                "transform": {"translate": [-0.8, 0, 0], "scale": [0.4, 0.4, 0.4]}},
+            {"id": "wall", "mesh": "shape:plane", "looks": "look.json",
+                "transform": {"translate": [0, 0, -1], "scale": [4, 4, 4]}}],
+        "camera": {"eye": [0, 0, 6]}}"#;
+    let path = folder.path().join("scene.json");
+    fs::write(&path, scene).unwrap();
+    let mut hand = User::with(move |ctx| {
+        let mut app = chiaro::editor::App::new(ctx, None).without_dialogs();
+        app.open(&path);
+        app
+    });
+    hand.settle();
+    let lamp =
+        |hand: &User| hand.app().session().open_scene().unwrap().scene().lights["key"].clone();
+    let old = lamp(&hand);
+    hand.press("Place light");
+    hand.press("Place by its shadow");
+    assert!(hand.app().placing().hint().starts_with("Click what casts the shadow"));
+    let (caster, shadow) = (at(&hand, -0.17, 0.0), at(&hand, 0.2, -0.1));
+    hand.click(caster);
+    hand.settle();
+    assert_eq!(lamp(&hand), old);
+    assert!(hand.app().placing().hint().contains("where the shadow"));
+    hand.click(shadow);
+    hand.settle();
+    let new = lamp(&hand);
+    assert!(new.position != old.position && hand.app().placing().hint().contains("distance"));
+    hand.key(Key::Escape);
+    assert!(hand.app().placing().hint().starts_with("Click what casts the shadow"));
+    let value = probed(&mut hand, shadow, "shadow");
+    assert!((value[0] - 1.0).abs() < 1e-4, "{value:?}");
+    hand.undo();
+    assert_eq!(lamp(&hand), old, "one step");
+}
+
+#[test]
+fn the_probe_tells_why_a_pixel_is_lit_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let look = r#"{"lights": {"key": {"direction": [0, 0, 1]}, "rim": {"direction": [1, 0, 0]}},
+        "nodes": [{"id": "base", "kind": "base"},
+            {"id": "first", "kind": "light_layer", "values": {"light": "key"}},
+            {"id": "second", "kind": "light_layer", "values": {"light": "rim"}},
+            {"id": "shadow", "kind": "cast_shadow", "values": {"light": "key"}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base", "to": "first.below"}, {"from": "first", "to": "second.below"},
+            {"from": "shadow", "to": "second.opacity"},
+            {"from": "second", "to": "output.color"}]}"#;
+    fs::write(folder.path().join("look.json"), look).unwrap();
+    let scene = r#"{"chiaro": "scene",
+        "lights": {"key": {"space": "world", "direction": [0, 3, 4], "intensity": 0.5,
+                "groups": ["set"]},
+            "fill": {"type": "point", "space": "world", "position": [0, 0, 3],
+                "half_distance": 2}},
+        "light_groups": {"set": {"intensity": 0.5}}, "muted": "fill",
+        "objects": [{"id": "wall", "mesh": "shape:plane", "looks": "look.json",
+            "unlinked": "rim"}],
+        "camera": {"eye": [0, 0, 3]}}"#;
+    let path = folder.path().join("scene.json");
+    fs::write(&path, scene).unwrap();
+    let mut hand = User::with(move |ctx| {
+        let mut app = chiaro::editor::App::new(ctx, None).without_dialogs();
+        app.open(&path);
+        app
+    });
+    hand.settle();
+    hand.press("Probe pixel");
+    let place = at(&hand, 0.05, 0.05);
+    hand.click(place);
+    hand.settle();
+    let lights = hand.app().probe().lights();
+    let ids: Vec<&str> = lights.iter().map(|account| account.light.as_str()).collect();
+    assert_eq!(ids[0], "key", "what reaches the pixel comes first: {lights:?}");
+    let of = |id: &str| lights.iter().find(|account| account.light.as_str() == id).unwrap();
+    // White, half as bright, behind a master of a half; the wall looks to +z.
+    let key = of("key");
+    assert!(key.reaches && (key.energy - 0.25).abs() < 1e-9, "{key:?}");
+    assert!((key.facing - 0.8_f64.acos()).abs() < 1e-6, "{key:?}");
+    let tone = key.readings.iter().find(|reading| reading.node.to_string() == "first/tone");
+    assert!((tone.unwrap().value - 0.8).abs() < 1e-6, "{key:?}");
+    assert!(key.readings.iter().any(|reading| reading.label == "Shadow" && reading.value == 0.0));
+    let [rim, fill] = ["rim", "fill"].map(of);
+    assert!(!rim.reaches && rim.rule.contains("unlinked"), "{rim:?}");
+    assert!(!fill.reaches && fill.rule.contains("muted"), "{fill:?}");
+    assert!(rim.readings.is_empty() && fill.energy == 0.0);
+    hand.press("Why lit so");
+    assert!(hand.says("Light rim does not reach the pixel"), "a row for each");
+    assert!(hand.says("Light key reaches the pixel"));
+}
