@@ -681,3 +681,33 @@ fn crash_shots() {
     hand.choose("Type", "Spot");
     save(&mut hand, "light-fall-off");
 }
+
+/// A light placed by its terminator and by its shadow, and the probe's list of lights.
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn placing() {
+    let mut hand = window();
+    hand.app_mut().open(Path::new("examples/looks/figure1-layers.json"));
+    hand.settle();
+    hand.press("Layer Diffuse");
+    hand.press("Place light");
+    hand.press("Place by its terminator");
+    let center = hand.app().viewport().rect().unwrap().center();
+    hand.click(center + vec2(30.0, 20.0));
+    save(&mut hand, "placing-terminator");
+    hand.press("Place by its shadow");
+    hand.click(center + vec2(0.0, -60.0));
+    hand.settle();
+    hand.hover(center + vec2(40.0, 80.0));
+    save(&mut hand, "placing-shadow");
+    hand.press("Probe pixel");
+    hand.click(center);
+    hand.settle();
+    hand.press("Why lit so");
+    save(&mut hand, "why-lit");
+    hand.app_mut().open(Path::new("examples/scenes/lit-room.json"));
+    hand.settle();
+    let center = hand.app().viewport().rect().unwrap().center();
+    hand.click(center);
+    save(&mut hand, "why-lit-room");
+}
