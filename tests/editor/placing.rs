@@ -3,8 +3,9 @@
 
 use std::fs;
 
-use chiaro::document::{Edit, GraphId, Light, Value};
+use chiaro::document::{Edit, GraphId, Light, LightKind, Value};
 use eframe::egui::{Key, Pos2, vec2};
+use glam::{DQuat, DVec3};
 
 use crate::editor_support::{User, node_center};
 
@@ -212,4 +213,82 @@ fn the_probe_tells_why_a_pixel_is_lit_so() {
     hand.press("Why lit so");
     assert!(hand.says("Light rim does not reach the pixel"), "a row for each");
     assert!(hand.says("Light key reaches the pixel"));
+}
+
+/// Place of a point of the world on the screen.
+fn on_screen(hand: &User, point: DVec3) -> Pos2 {
+    let orbit = hand.app().session().view().orbit();
+    let (right, up) = orbit.right_and_up();
+    let from_eye = point - (orbit.target + orbit.direction() * orbit.distance);
+    let span = 2.0 * -from_eye.dot(orbit.direction()) * (orbit.fov / 2.0).tan();
+    at(hand, (from_eye.dot(right) / span) as f32, (from_eye.dot(up) / span) as f32)
+}
+
+#[test]
+fn a_light_is_looked_through_and_goes_with_the_view() {
+    let mut hand = on_ball();
+    let (old, before) = (key(&hand), hand.app().session().view().orbit().clone());
+    let steps = hand.app().session().steps().done();
+    let beside = at(&hand, 0.7, 0.4);
+    hand.hover(beside);
+    hand.key(Key::O);
+    hand.settle();
+    assert!(hand.app().viewport().is_looking_through());
+    let view = |hand: &User| hand.app().session().view().orbit().direction();
+    assert!(view(&hand).distance(DVec3::from(old.direction).normalize()) < 1e-9);
+    assert_eq!(hand.app().session().steps().done(), steps, "to look is no edit");
+    hand.drag(beside, beside + vec2(-60.0, 30.0));
+    hand.settle();
+    let moved = DVec3::from(key(&hand).direction);
+    assert!(moved.distance(view(&hand)) < 1e-5 && key(&hand) != old, "it goes with the view");
+    assert_eq!(hand.app().session().steps().done(), steps + 1);
+    hand.undo();
+    hand.settle();
+    assert_eq!(key(&hand), old);
+    assert!(view(&hand).distance(DVec3::from(old.direction).normalize()) < 1e-9, "and back");
+    hand.press("Back to the camera");
+    let after = hand.app().session().view().orbit();
+    assert!(!hand.app().viewport().is_looking_through());
+    assert_eq!(
+        (after.yaw, after.pitch, after.distance),
+        (before.yaw, before.pitch, before.distance)
+    );
+}
+
+#[test]
+fn the_handles_of_a_spot_move_and_aim_it() {
+    let mut hand = on_ball();
+    let spot = Light {
+        kind: LightKind::Spot,
+        position: [1.2, 0.6, 0.3],
+        aim: [-0.2, -1.0, 0.0],
+        outer: 0.4,
+        inner: 0.2,
+        ..key(&hand)
+    };
+    let edit = Edit::SetLight { id: "key".into(), light: spot.clone() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let steps = hand.app().session().steps().done();
+    let from = on_screen(&hand, spot.position.into());
+    let to = from + vec2(20.0, -40.0);
+    hand.drag(from, to);
+    hand.settle();
+    let place = DVec3::from(key(&hand).position);
+    assert!(on_screen(&hand, place).distance(to) < 1.0, "under the pointer");
+    assert!((place.z - 0.3).abs() < 1e-3, "at its depth: {place}");
+    assert_eq!(hand.app().session().steps().done(), steps + 1);
+    // The end of the axis: 0.6 radii of the ball from the lamp.
+    let aim = DVec3::from(spot.aim).normalize();
+    let (from, wanted) = (place + aim * 0.6, DVec3::new(-0.5, -0.9, 0.0).normalize());
+    let [from, to] = [from, place + wanted * 0.6].map(|point| on_screen(&hand, point));
+    hand.drag(from, to);
+    let found = DVec3::from(key(&hand).aim).normalize();
+    assert!(found.angle_between(wanted) < 0.03, "{found}");
+    // The rim of the whole cone, to the side of its axis in the picture.
+    let rim = |angle: f64| place + DQuat::from_rotation_z(angle) * found * 0.6;
+    let [from, to] = [0.4, 0.7].map(|angle| on_screen(&hand, rim(angle)));
+    hand.drag(from, to);
+    assert!((key(&hand).outer - 0.7).abs() < 0.03, "{}", key(&hand).outer);
+    assert_eq!(hand.app().session().steps().done(), steps + 3);
 }

@@ -214,6 +214,10 @@ impl App {
                     Projection::Orthographic => Projection::Perspective,
                 };
             }
+            ViewCommand::LookThrough => match self.bench.viewport.look_through(&self.session) {
+                Ok(view) => self.session.view.orbit = view,
+                Err(why) => self.message = Some(why),
+            },
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
             ViewCommand::ToggleHandles => {
                 let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;
@@ -291,7 +295,9 @@ impl App {
     /// Saves everything that changed: the painting, the look, and the scene around it. Asks for a
     /// file where a document has none.
     pub(super) fn save(&mut self) {
-        let Some(did_paint) = self.save_painting_first() else { return };
+        let Some(did_paint) = self.save_painting_first() else {
+            return;
+        };
         let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {

@@ -35,7 +35,7 @@ use crate::canvas::Canvas;
 use crate::commands::table::{self, CommandRow, KeyScope};
 use crate::commands::{
     Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, PlacingCommand,
-    SceneCommand, keyboard,
+    SceneCommand, ViewCommand, keyboard,
 };
 use crate::diag::has_errors;
 use crate::files::{Disk, SharedFiles};
@@ -443,6 +443,7 @@ impl App {
         let open = (self.session.revisions().document, self.painting_number());
         if self.laid_out_for != Some(open) {
             self.laid_out_for = Some(open);
+            self.bench.viewport.stop_looking_through();
             let is_painted = is_painting_shown(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
             if !is_painted && let Some(view) = self.view_before_painting.given_back(&self.session) {
@@ -484,7 +485,9 @@ impl App {
     /// Runs each panel's work that is due once a frame, before anything is drawn.
     fn begin_panels(&mut self, ui: &Ui) {
         for row in PANELS {
-            let Some(each_frame) = row.each_frame else { continue };
+            let Some(each_frame) = row.each_frame else {
+                continue;
+            };
             let presence = match self.dock.has(row.id) {
                 true if self.start.is_none() && self.dock.shows(row.id) => Presence::Seen,
                 true => Presence::Hidden,
@@ -590,6 +593,10 @@ impl App {
         let places = self.bench.tools.of::<PlacingTool>().is_on() && self.start.is_none();
         if places && is_free && !is_typing && keyboard::take(ui, escape) {
             commands.push(Command::Placing(PlacingCommand::Leave));
+        }
+        let looks_through = self.viewport().is_looking_through() && self.start.is_none();
+        if looks_through && is_free && !is_typing && keyboard::take(ui, escape) {
+            commands.push(Command::View(ViewCommand::LookThrough));
         }
         let paints = self.fitting().is_on() && self.start.is_none();
         if paints && is_free && !is_typing && !is_open && keyboard::take(ui, escape) {

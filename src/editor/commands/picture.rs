@@ -28,4 +28,6 @@ pub(crate) enum ViewCommand {
     ToggleTurntable,
     /// Shows or hides handles on the object.
     ToggleHandles,
+    /// Looks through the selected light, or from the camera again.
+    LookThrough,
 }

@@ -284,6 +284,21 @@ impl Orbit {
         Some([from_eye.dot(right) / span, from_eye.dot(up) / span])
     }
 
+    /// Ray through a place of the picture, from its middle to the right and up, in heights of the
+    /// picture: origin and unit direction, in world space.
+    pub(crate) fn ray_through(&self, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
+        let (right, up) = self.right_and_up();
+        let backward = self.direction();
+        let eye = self.target + backward * self.distance;
+        let plane = right * x + up * y;
+        match self.projection {
+            Projection::Perspective => {
+                (eye, (plane * 2.0 * (self.fov / 2.0).tan() - backward).normalize())
+            }
+            Projection::Orthographic => (eye + plane * self.height(), -backward),
+        }
+    }
+
     /// Radius of the picture of the unit sphere around the target, in parts of the picture's
     /// height.
     pub fn radius_in_picture(&self) -> f64 {
@@ -381,7 +396,9 @@ mod tests {
             r#"{"upright": [0, 0, 0, 0]}"#,
             r#"{"target": [1e308, 1e999, 0]}"#,
         ] {
-            let Ok(value) = serde_json::from_str(text) else { continue };
+            let Ok(value) = serde_json::from_str(text) else {
+                continue;
+            };
             other.recall(&value);
             assert_eq!(other, kept, "{text}");
         }

@@ -107,6 +107,7 @@ impl Viewport {
             button(ui, "Frame all", ViewCommand::FrameAll);
         }
         button(ui, "Reset camera and lights", ViewCommand::Reset);
+        button(ui, "Look through the light", ViewCommand::LookThrough);
         ui.separator();
         self.display(ui, view);
         self.reference_image(ui, out);
@@ -259,8 +260,14 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 
 /// Shows notices over the top of the picture, which does not move when they come and go: of a wire
 /// that is viewed in place of the picture, and of soloed or muted layers and lights.
-pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) {
-    if session.view.wire.is_none() && session.view.solo.is_empty() {
+pub(super) fn over_top(
+    ui: &mut Ui,
+    rect: Rect,
+    session: &Session,
+    through: Option<&str>,
+    out: &mut Vec<Command>,
+) {
+    if session.view.wire.is_none() && session.view.solo.is_empty() && through.is_none() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -275,10 +282,37 @@ pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec
     );
     let shown =
         ui.scope_builder(UiBuilder::new().id_salt("over the picture").max_rect(room), |ui| {
+            if let Some(name) = through {
+                through_bar(ui, name, out);
+            }
             wire_bar(ui, session, out);
             out.extend(solo_bar::show(ui, session));
         });
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
+}
+
+/// Says that a light is looked through, with a button that leads back.
+fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
+    let frame = egui::Frame::new()
+        .fill(theme::of(ui).accent_dim)
+        .corner_radius(4.0)
+        .inner_margin(egui::Margin::symmetric(8, 3));
+    frame.show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let help =
+                    "Gives the camera back its place (O, or Esc); the light stays where it is";
+                if ui.button("Back to the camera").on_hover_text(help).clicked() {
+                    out.push(Command::View(ViewCommand::LookThrough));
+                }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let text = format!("Looking through {name}: the light goes with the view");
+                    let text = egui::RichText::new(text).color(theme::of(ui).text);
+                    ui.add(egui::Label::new(text).truncate());
+                });
+            });
+        });
+    });
 }
 
 /// Says that a wire is viewed in place of the picture, with a button that leads back.

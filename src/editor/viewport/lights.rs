@@ -1,8 +1,8 @@
 //! Lights on the object: needles that show their directions, and handles that are dragged.
 //!
-//! Directional lights have needles, unless they are muted or others are soloed. Point and spot
-//! lights have none, and a spot's cone is not drawn: such lights are dragged by the middle of their
-//! lit part alone, which is marked for the light of the selected layer, of whichever kind.
+//! Directional lights have needles, unless they are muted or others are soloed; point and spot
+//! lights have the handles of `lamps`. The light of the selected layer, of whichever kind, is
+//! dragged by the middle of its lit part too.
 //!
 //! The middle of a light's lit part is dragged over the surface: the light turns so that the middle
 //! is under the pointer. Beyond the outline the middle goes on behind the object. The end of a
@@ -14,11 +14,12 @@ use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
 use glam::DVec3;
 
 use super::field::direction_at;
+use super::lamps::{self, LampHandle};
 use super::project;
 use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
-use crate::document::{Light, LightKind, Projection, Value};
+use crate::document::{Light, LightKind, Value};
 use crate::fields::lighting::{OwnedLight, set_light_at};
 use crate::ids::LightId;
 use crate::placing::Parametrization;
@@ -41,6 +42,8 @@ enum Grip {
     /// The end of the light's needle: whether it is behind the object, and whether the drag has
     /// left the ball.
     Needle { is_behind: bool, is_outside: bool },
+    /// A handle of a point or spot light.
+    Lamp(LampHandle),
 }
 
 /// Light that is dragged.
@@ -54,6 +57,14 @@ impl HeldLight {
     /// Drag of a light by the middle of its lit part.
     pub(super) fn by_middle(light: LightId, shading: Parametrization) -> Self {
         Self { light, grip: Grip::Middle(shading) }
+    }
+
+    /// Handle of a lamp that is held.
+    pub(super) fn lamp(&self) -> Option<(&LightId, LampHandle)> {
+        match self.grip {
+            Grip::Lamp(handle) => Some((&self.light, handle)),
+            _ => None,
+        }
     }
 
     /// True for a drag by the middle of the lit part.
@@ -73,6 +84,7 @@ impl HeldLight {
                     middle_name(*shading)
                 )
             }
+            Grip::Lamp(handle) => handle.hint(&name),
             Grip::Needle { .. } => {
                 format!(
                     "Drag to turn the light {name} around the object; over the rim and back takes \
@@ -88,8 +100,17 @@ pub(super) fn resolved(light: &Light, session: &Session) -> LightValues {
     LightValues::new(light, &session.keys().light_frames())
 }
 
-/// Light whose needle ends under the pointer.
+/// Light whose needle ends under the pointer, or whose lamp has a handle there.
 pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
+    let of_lamp = || {
+        let (light, handle) = lamps::hit(session, rect, at)?;
+        Some(HeldLight { light, grip: Grip::Lamp(handle) })
+    };
+    needle_at(session, rect, at).or_else(of_lamp)
+}
+
+/// Light whose needle ends under the pointer.
+fn needle_at(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
     let lights = session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let (center, radius) = sphere_of_lights(session.open_scene());
     let ends = lights.filter_map(|(id, light)| {
@@ -114,6 +135,7 @@ pub(super) fn drag(
     let light = session.keys().light(&held.light)?;
     let values = resolved(light, session);
     let (toward, place) = match &mut held.grip {
+        Grip::Lamp(handle) => return lamps::drag(&held.light, *handle, session, rect, at),
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
         Grip::Needle { is_behind, is_outside } => {
             let (toward, is_on_ball) = on_ball(
@@ -191,18 +213,10 @@ fn on_ball(
     at: Pos2,
     is_behind: bool,
 ) -> (DVec3, bool) {
-    let (right, up) = orbit.right_and_up();
+    let (right, _) = orbit.right_and_up();
     let backward = orbit.direction();
     let offset = (at - rect.center()) / rect.height();
-    let camera = orbit.camera();
-    let eye = DVec3::from(camera.eye);
-    let plane = right * f64::from(offset.x) - up * f64::from(offset.y);
-    let (origin, ray) = match camera.projection {
-        Projection::Perspective => {
-            (eye, (plane * 2.0 * (camera.fov / 2.0).tan() - backward).normalize())
-        }
-        Projection::Orthographic => (eye + plane * camera.height, -backward),
-    };
+    let (origin, ray) = orbit.ray_through([f64::from(offset.x), f64::from(-offset.y)]);
     // The ball is mapped to the origin, with radius 1.
     let origin = (origin - center) / radius;
     let along = -origin.dot(ray);
@@ -230,7 +244,9 @@ pub(super) fn paint_needles(
     {
         let toward = resolved(light, session).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
-        let [Some(from), Some(to)] = ends else { continue };
+        let [Some(from), Some(to)] = ends else {
+            continue;
+        };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
         let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         let is_held = held == Some(id);

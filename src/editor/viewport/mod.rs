@@ -12,7 +12,9 @@ mod export;
 mod field;
 mod hints;
 mod isocurves;
+mod lamps;
 mod lights;
+mod look_through;
 mod objects;
 pub(crate) mod picture;
 mod place;
@@ -48,6 +50,7 @@ use crate::widgets::theme;
 use backdrop::{show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
+use look_through::LookThrough;
 
 use place::{is_on_object, place_in, project};
 use show::{ReferenceImage, ReferencePlacement};
@@ -90,6 +93,8 @@ pub struct Viewport {
     has_arrows: bool,
     arrows: Vec<arrows::Arrow>,
     turns: bool,
+    /// Light that is looked through.
+    through: Option<LookThrough>,
     /// Exposure in stops; for this window only.
     exposure: f32,
     exports: Exports,
@@ -135,6 +140,7 @@ impl Viewport {
             has_arrows: false,
             arrows: Vec::new(),
             turns: false,
+            through: None,
             exposure: 0.0,
             exports: Exports::new(gpu, wake),
             preparing: preparing::PictureDelay::default(),
@@ -197,6 +203,9 @@ impl Viewport {
         self.wheel_and_keys(ui, &context, &mut view, tools.of(), &mut out);
         self.turn(ui, &mut view);
         out.extend(tools.interact(ui, &context));
+        if let Some(through) = &mut self.through {
+            out.extend(through.follow(session, &mut view));
+        }
         if view != session.view.orbit {
             // Commands by name, such as the reset of the view, apply after the drag.
             out.insert(0, Command::View(ViewCommand::TurnTo(Box::new(view))));
@@ -277,7 +286,8 @@ impl Viewport {
                 strip::show(ui, rect, session, layer, &mut out);
             }
         }
-        bar::over_top(ui, rect, session, &mut out);
+        let through = self.through.as_ref().map(|through| through.name(session));
+        bar::over_top(ui, rect, session, through.as_deref(), &mut out);
         out
     }
 
@@ -374,6 +384,7 @@ impl Viewport {
         if is_near {
             let is_turning = self.drag == Some(Drag::Lights);
             lights::paint_needles(ui, rect, session, is_turning, light.map(|held| &held.light));
+            lamps::paint(ui, rect, session, light.and_then(lights::HeldLight::lamp));
         }
     }
 
@@ -468,6 +479,30 @@ impl Viewport {
     /// Stops the turntable.
     pub(crate) fn stop_turning(&mut self) {
         self.turns = false;
+    }
+
+    /// Begins to look through the selected light, or ends it; gives the view from then on.
+    ///
+    /// # Errors
+    /// The reason why there is no light to look through, as a sentence without its end.
+    pub(crate) fn look_through(&mut self, session: &Session) -> Result<Orbit, String> {
+        if let Some(through) = self.through.take() {
+            return Ok(through.end(session));
+        }
+        let through = LookThrough::begin(session)?;
+        let view = through.view().clone();
+        self.through = Some(through);
+        Ok(view)
+    }
+
+    /// True while a light is looked through.
+    pub fn is_looking_through(&self) -> bool {
+        self.through.is_some()
+    }
+
+    /// Forgets the light that is looked through, as another document is open.
+    pub(crate) fn stop_looking_through(&mut self) {
+        self.through = None;
     }
 
     /// True while a drag on the picture is under way.

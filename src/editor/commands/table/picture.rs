@@ -48,6 +48,10 @@ pub(super) fn rows() -> Vec<CommandRow> {
             .help("Turns the object before the camera, until it is switched off again"),
         view(V::ToggleHandles, "Show or hide handles on the object", &[(NONE, Key::H)])
             .help("Lines and handles of the selected layer and its light"),
+        view(V::LookThrough, "Look through the light", &[(NONE, Key::O)]).help(
+            "Puts the camera where the light of the selected layer is: the light goes with the \
+             view, until the camera has its place again",
+        ),
         fit(F::Fit(FitGoal::ThisLook), "Fit this look to the painted light", &[(CTRL, Key::Enter)]),
         fit(F::TakeBrush(LightBrush::Light), "Paint where it should be lighter", &[(NONE, Key::B)]),
         fit(F::TakeBrush(LightBrush::Dark), "Paint where it should be darker", &[(NONE, Key::D)]),
