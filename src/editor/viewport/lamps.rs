@@ -249,9 +249,7 @@ pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, held: Option<(&Light
         let held = held.filter(|(held, _)| *held == id).map(|(_, handle)| handle);
         let [r, g, b] = lamp.light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
         let color = Color32::from_rgb(r, g, b);
-        let Some(at) = project(lamp.values.position(), rect, session) else {
-            continue;
-        };
+        let Some(at) = project(lamp.values.position(), rect, session) else { continue };
         if is_selected || held.is_some() {
             for handle in lamp.lines() {
                 let points = on_screen(&lamp.rim(handle, session), rect, session);

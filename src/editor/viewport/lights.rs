@@ -244,9 +244,7 @@ pub(super) fn paint_needles(
     {
         let toward = resolved(light, session).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
-        let [Some(from), Some(to)] = ends else {
-            continue;
-        };
+        let [Some(from), Some(to)] = ends else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
         let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         let is_held = held == Some(id);
