@@ -92,7 +92,7 @@ fn a_light_follows_a_drag_and_escape_gives_it_back() {
 fn what_cannot_be_says_why_and_changes_nothing() {
     let mut hand = on_ball();
     hand.press("Place light");
-    let (old, beside) = (key(&hand), at(&hand, 0.6, 0.45));
+    let (old, beside) = (key(&hand), at(&hand, 0.4, 0.43));
     hand.click(beside);
     hand.settle();
     assert!(hand.app().placing().hint().starts_with("Nothing is there"));
@@ -229,7 +229,7 @@ fn a_light_is_looked_through_and_goes_with_the_view() {
     let mut hand = on_ball();
     let (old, before) = (key(&hand), hand.app().session().view().orbit().clone());
     let steps = hand.app().session().steps().done();
-    let beside = at(&hand, 0.7, 0.4);
+    let beside = at(&hand, 0.4, 0.43);
     hand.hover(beside);
     hand.key(Key::O);
     hand.settle();
@@ -260,7 +260,7 @@ fn the_handles_of_a_spot_move_and_aim_it() {
     let mut hand = on_ball();
     let spot = Light {
         kind: LightKind::Spot,
-        position: [1.2, 0.6, 0.3],
+        position: [0.9, 0.75, 0.3],
         aim: [-0.2, -1.0, 0.0],
         outer: 0.4,
         inner: 0.2,
@@ -289,6 +289,6 @@ fn the_handles_of_a_spot_move_and_aim_it() {
     let rim = |angle: f64| place + DQuat::from_rotation_z(angle) * found * 0.6;
     let [from, to] = [0.4, 0.7].map(|angle| on_screen(&hand, rim(angle)));
     hand.drag(from, to);
-    assert!((key(&hand).outer - 0.7).abs() < 0.03, "{}", key(&hand).outer);
+    assert!((key(&hand).outer - 0.7).abs() < 0.05, "{}", key(&hand).outer);
     assert_eq!(hand.app().session().steps().done(), steps + 3);
 }
