@@ -61,14 +61,14 @@ impl LampHandle {
 }
 
 /// A lamp as it stands in the scene.
-struct Lamp<'a> {
+struct LampInScene<'a> {
     light: &'a Light,
     values: LightValues,
     /// Length of the axis, in scene units.
     length: f64,
 }
 
-impl<'a> Lamp<'a> {
+impl<'a> LampInScene<'a> {
     fn of(light: &'a Light, session: &Session) -> Option<Self> {
         let (_, radius) = sphere_of_lights(session.open_scene());
         let values = resolved(light, session);
@@ -133,11 +133,11 @@ fn selected(session: &Session) -> Option<LightId> {
 }
 
 /// Lamps that shine, and whether each is selected.
-fn lamps(session: &Session) -> impl Iterator<Item = (&LightId, Lamp<'_>, bool)> {
+fn lamps(session: &Session) -> impl Iterator<Item = (&LightId, LampInScene<'_>, bool)> {
     let selected = selected(session);
     session.keys().shining().filter_map(move |(id, light)| {
         let is_selected = selected.as_ref() == Some(id);
-        Some((id, Lamp::of(light, session)?, is_selected))
+        Some((id, LampInScene::of(light, session)?, is_selected))
     })
 }
 
@@ -183,7 +183,7 @@ pub(super) fn drag(
     rect: Rect,
     at: Pos2,
 ) -> Option<Command> {
-    let lamp = Lamp::of(session.keys().light(id)?, session)?;
+    let lamp = LampInScene::of(session.keys().light(id)?, session)?;
     let values = &lamp.values;
     let offset = (at - rect.center()) / rect.height();
     let orbit = &session.view.orbit;
@@ -229,7 +229,7 @@ fn rounded(x: f64) -> f64 {
 
 /// Angle from a spot's axis at which a ray meets the ball that cones are drawn on: of both sides
 /// the one that is nearer to the present angle.
-fn angle_on_ball(lamp: &Lamp<'_>, (origin, ray): (DVec3, DVec3), present: f64) -> f64 {
+fn angle_on_ball(lamp: &LampInScene<'_>, (origin, ray): (DVec3, DVec3), present: f64) -> f64 {
     let center = lamp.values.position();
     let along = (center - origin).dot(ray);
     let nearest = origin + ray * along;

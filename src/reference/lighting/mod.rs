@@ -25,7 +25,7 @@ pub struct LightReading {
     pub value: f64,
 }
 
-/// What a light is to a pixel.
+/// Account of a light at a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightAccount {
     /// The light.

@@ -63,7 +63,7 @@ struct ProbeRequest {
 
 struct ProbeResult {
     spot: ProbeSpot,
-    /// Values of the wires, and what lights are there; `None` where nothing is drawn.
+    /// Values of the wires, and the lights there; `None` where nothing is drawn.
     result: Result<Option<ProbedPixel>, Vec<Diagnostic>>,
 }
 
@@ -124,7 +124,7 @@ impl Probe {
         self.pixel_found().map_or(&[], |found| &found.wires)
     }
 
-    /// What each light is to the pixel: those that reach it, by their energy, then the others.
+    /// Account of each light at the pixel: those that reach it, by their energy, then the others.
     pub fn lights(&self) -> &[LightAccount] {
         self.pixel_found().map_or(&[], |found| &found.lights)
     }
