@@ -21,6 +21,7 @@ fn showing(context: Context) -> SetupLook {
         "f32" => "vec3f(x)",
         "vec2f" => "vec3f(x, 0.0)",
         "vec3f" => "x",
+        "vec4f" => "x.xyz + x.w",
         "Color" => "x.xyz",
         "mat3x3f" => "x * vec3f(0.2, 0.5, 0.9)",
         // The first row of the first object.

@@ -49,8 +49,8 @@ pub const CATEGORIES: [&str; 14] = [
 
 pub use context::{
     Context, ContextBounds, ContextRow, ContextSample, ContextSource, HostSurroundings,
-    MAX_COORDINATE, MAX_CURVATURE, MAX_NORMAL_SCALE, MAX_ON_SCREEN, MAX_PLACE, Rate, SurfacePart,
-    SurfacePoint,
+    MAX_COORDINATE, MAX_CURVATURE, MAX_LINE_REACH, MAX_NORMAL_SCALE, MAX_ON_SCREEN, MAX_PLACE,
+    Rate, SurfacePart, SurfacePoint,
 };
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};

@@ -274,6 +274,10 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
             "inverse transpose of the model matrix's upper left 3x3, for normals"
         }
         (Feed::Object, "id") => "counts objects from 0",
+        (Feed::Object, "look") => {
+            "counts the looks of the object, divided by 64: parts with different looks have \
+             different ones, below 1"
+        }
         (Feed::Numbers, name) => ViewNumber::named(name).map_or("", |number| number.meaning),
         _ => "",
     };

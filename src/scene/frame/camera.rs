@@ -208,8 +208,17 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
     )
 }
 
-/// The shader's `Object` uniform.
-pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> Uniform {
+/// The shader's `Object` uniform: of a part of the object `id`, with the alpha cutoff of its material
+/// and the number of its look.
+pub(super) fn object_uniform(
+    world_from_object: DMat4,
+    id: f64,
+    cutoff: f64,
+    look: usize,
+) -> Uniform {
+    /// Looks of an object that lines tell apart; what an f32 has left beside 2^18 objects.
+    const LOOKS: usize = 64;
+    let look = (look % LOOKS) as f64 / LOOKS as f64;
     let linear = DMat3::from_mat4(world_from_object);
     // A flattened object has no inverse; its normals are transformed as directions are.
     let normals =
@@ -224,8 +233,8 @@ pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> 
         padded.extend(column);
         padded.push(0.0);
     }
-    numbers.extend([id, cutoff]);
-    padded.extend([id, cutoff, 0.0, 0.0]);
+    numbers.extend([id, cutoff, look]);
+    padded.extend([id, cutoff, look, 0.0]);
     Uniform { bytes: padded.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect(), numbers }
 }
 
@@ -311,7 +320,7 @@ mod tests {
     fn normals_of_tiny_objects_keep_their_length_in_bounds() {
         for scale in [[1e-20, 1e6, 1e6], [1e-12, 1e12, 1e6], [1e6, 1e-7, 1e-5], [0.0, 1.0, 1.0]] {
             let matrix = DMat4::from_scale(DVec3::from(scale));
-            let uniform = object_uniform(matrix, 0.0, 0.0);
+            let uniform = object_uniform(matrix, 0.0, 0.0, 0);
             let numbers = &uniform.numbers[16..25];
             // The scaled numbers are rounded in f64; in f32 they are below the bound.
             let is_within = |x: &f64| x.abs() <= MAX_NORMAL_SCALE * (1.0 + f64::EPSILON);

@@ -70,6 +70,20 @@ struct Object {
 }
 ";
 
+/// `Object` of a module that tells the looks of one object apart.
+const OBJECT_WITH_LOOK: &str = "\
+struct Object {
+    world_from_object: mat4x4f,
+    /// The inverse transpose, for normals.
+    world_from_normal: mat3x3f,
+    id: f32,
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
+    /// The number of the look as a share of 1, for the borders of looks.
+    look: f32,
+}
+";
+
 impl Emitter<'_> {
     /// True if the picture's colors are encoded for display where they leave the shader.
     fn encodes(&self) -> bool {
@@ -140,7 +154,8 @@ impl Emitter<'_> {
             let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
             self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
-            self.out.push_str(OBJECT);
+            let tells_looks = self.options.stage.row().tells_looks;
+            self.out.push_str(if tells_looks { OBJECT_WITH_LOOK } else { OBJECT });
             self.out.push('\n');
         }
         if !self.host.members.is_empty() {
@@ -381,11 +396,16 @@ impl Emitter<'_> {
             } else {
                 "normalize_or(seen, vec3f(0.0, 0.0, 1.0))"
             };
+            let number = if stage.row().tells_looks {
+                "object.id + 1.0 + object.look"
+            } else {
+                "object.id + 1.0"
+            };
             writeln!(
                 self.out,
                 "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \
                  let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;\n    \
-                 return surface_texel({unit}, depth, object.id + 1.0);\n}}"
+                 return surface_texel({unit}, depth, {number});\n}}"
             )
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);

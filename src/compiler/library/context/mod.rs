@@ -19,7 +19,9 @@ pub use sample::{ContextSample, SurfacePart, SurfacePoint};
 
 use super::PassId;
 use table::TABLE;
-pub use table::{MAX_COORDINATE, MAX_CURVATURE, MAX_NORMAL_SCALE, MAX_ON_SCREEN, MAX_PLACE};
+pub use table::{
+    MAX_COORDINATE, MAX_CURVATURE, MAX_LINE_REACH, MAX_NORMAL_SCALE, MAX_ON_SCREEN, MAX_PLACE,
+};
 
 /// Rate at which a value changes: the earliest time at which the value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]

@@ -59,6 +59,10 @@ pub const MAX_COORDINATE: f64 = 1e6;
 /// `shaders/lib/curvature_map.wgsl`).
 pub const MAX_CURVATURE: f64 = 1e4;
 
+/// Farthest that lines reach from their edges, in pixels (`line_reach` in
+/// `shaders/lib/lines.wgsl`).
+pub const MAX_LINE_REACH: f64 = 31.0;
+
 /// Greatest place and size on screen, in picture heights: functions clamp to it
 /// (`MOST_ON_SCREEN` in `shaders/lib/screen.wgsl`).
 pub const MAX_ON_SCREEN: f64 = 1e15;
@@ -242,6 +246,17 @@ pub(super) const TABLE: &[Row] = &[
     )
     .within(ContextBounds::UnitOrShorter)
     .sampled(&[Normal], |at| vec3(at.normal)),
+    // A sample has no neighbors, and so no edges.
+    Row::of_pass(
+        "line_nearness",
+        "vec4f",
+        ("line_nearness", "texel"),
+        "how much nearer than the reach of lines the nearest silhouette, crease, border of objects \
+         and border of looks are, in pixels; 0 where none is near",
+    )
+    .labeled("nearness of edges")
+    .within(ContextBounds::Clamped(MAX_LINE_REACH))
+    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
     Row::host(
         "camera_from_world",
         "mat3x3f",

@@ -149,7 +149,7 @@ mod tests {
         assert!(TABLE.len() < usize::from(u8::MAX));
         assert_eq!(PassId::all().next_back(), Some(PassId::LOOK));
         assert!(PassId::all().all(|pass| pass.writes_picture() == (pass == PassId::LOOK)));
-        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals] {
+        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Facets] {
             assert!(
                 stage.draws_meshes() && stage.draws_normals() != stage.is_picture(),
                 "{stage:?}"

@@ -12,6 +12,8 @@ pub enum Stage {
     Normals,
     /// Draws the look's detail normal, for the curvature pass.
     DetailNormals,
+    /// Draws the surface's own normal with the numbers of object and look, for lines.
+    Facets,
     /// Evaluates the look at given surface samples.
     Eval,
 }
@@ -27,6 +29,8 @@ pub struct StageRow {
     pub value: StageValue,
     /// True if the module draws normals, from which later passes are made.
     pub draws_normals: bool,
+    /// True if what the module draws tells the looks of one object apart.
+    pub tells_looks: bool,
 }
 
 /// Value that the modules of a stage compute.
@@ -48,18 +52,30 @@ impl Stage {
             shade: "The normal that the curvature pass sees.",
             value: StageValue::Context(Context::NORMAL),
             draws_normals: true,
+            tells_looks: false,
         };
         const LOOK: StageRow = StageRow {
             help: "Draws a mesh with the look; the result is straight RGBA.",
             shade: "The look at one point of the surface.",
             value: StageValue::Output,
             draws_normals: false,
+            tells_looks: false,
         };
         match self {
             Self::Draw => &LOOK,
             Self::Normals => &NORMALS,
             Self::DetailNormals => {
                 &const { StageRow { value: StageValue::Input("normal"), ..NORMALS } }
+            }
+            Self::Facets => {
+                &const {
+                    StageRow {
+                        help: "Draws normals, depth, objects and looks, for the passes of lines.",
+                        shade: "The normal that the passes of lines see.",
+                        tells_looks: true,
+                        ..NORMALS
+                    }
+                }
             }
             Self::Eval => {
                 &const {

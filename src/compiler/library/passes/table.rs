@@ -15,6 +15,9 @@ const SURFACE: &[PassOutput] = &[PassOutput { name: "surface", format: TexelForm
 const CURVATURE: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Number }];
 const TENSOR: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Numbers }];
 const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat::Numbers }];
+/// Edges of four kinds, packed by `edge_code` (`shaders/lib/edge_code.wgsl`).
+const EDGES: &[PassOutput] = &[PassOutput { name: "edges", format: TexelFormat::Numbers }];
+const NEARNESS: &[PassOutput] = &[PassOutput { name: "nearness", format: TexelFormat::Numbers }];
 const COLOR: &[PassOutput] = &[PassOutput { name: "color", format: TexelFormat::Picture }];
 
 /// Inputs of a pass: the surface that a pass drew, and for a level of smoothed normals the image of
@@ -164,6 +167,57 @@ pub(super) const TABLE: &[PassRow] = &[
         purpose: "curvature from four neighbors, its cheaper tier",
         result: "curvature is",
         help: "Finds curvature from normals and depth of four neighbors alone.",
+    },
+    PassRow {
+        slug: "facets",
+        label: "facets",
+        work: PassWork::Meshes(Stage::Facets),
+        reads: &[],
+        writes: SURFACE,
+        map: "",
+        purpose: "outlines",
+        result: "",
+        help: "Draws normals, depth, objects and looks, for the passes of lines.",
+    },
+    PassRow {
+        slug: "edges",
+        label: "edges",
+        work: measured("edges", 14),
+        reads: reads!("facets"),
+        writes: EDGES,
+        map: "",
+        purpose: "edges",
+        result: "edges are",
+        help: "Finds where surfaces end, fold and meet.",
+    },
+    PassRow {
+        slug: "edge_columns",
+        label: "edge columns",
+        work: measured("edge_columns", 16),
+        reads: &[
+            PassInput { binding: "surface", pass: "facets", output: "surface" },
+            PassInput { binding: "edges", pass: "edges", output: "edges" },
+        ],
+        writes: EDGES,
+        map: "",
+        purpose: "the nearest edges of columns",
+        result: "edges are",
+        help: "Finds the nearest edges in each pixel's column.",
+    },
+    PassRow {
+        slug: "line_nearness",
+        label: "lines",
+        work: measured("line_nearness", 16),
+        reads: &[
+            PassInput { binding: "surface", pass: "facets", output: "surface" },
+            PassInput { binding: "edges", pass: "edges", output: "edges" },
+            PassInput { binding: "columns", pass: "edge_columns", output: "edges" },
+        ],
+        writes: NEARNESS,
+        map: "line_nearness_map",
+        purpose: "the nearness of edges",
+        result: "lines are",
+        help: "Finds how near the nearest edges of each kind are.",
     },
     PassRow {
         slug: "draw",

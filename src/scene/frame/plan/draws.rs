@@ -108,7 +108,7 @@ impl Planner {
                 let near = near_objects(look, (&object.id, center), &center_of);
                 let visible = VisibleObject { number, object };
                 let part = PartDraw { scene, visible, part, near: &near, casters };
-                match part.draw(look) {
+                match part.draw(look, index) {
                     Ok(draw) => draws.push((draw, place)),
                     Err(problem) => problems.push(problem),
                 }
@@ -246,7 +246,8 @@ impl<'a> WornLook<'a> {
 }
 
 impl PartDraw<'_> {
-    fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
+    /// The draw of the part, which wears the look with this number.
+    fn draw(&self, look: &mut WornLook<'_>, index: usize) -> Result<Draw, Diagnostic> {
         let Self { scene, visible: VisibleObject { number, object }, part, .. } = *self;
         let unlinked = || unlinked_lights(scene.setup, object).into_keys().collect();
         let link = (&object.light_link, &unlinked as &dyn Fn() -> Vec<LightId>);
@@ -265,6 +266,7 @@ impl PartDraw<'_> {
                 object.world_from_object,
                 number as f64,
                 f64::from(part.alpha_cutoff.unwrap_or(0.0)),
+                index,
             ),
             look_uniforms: values.uniforms.clone(),
             decided: values.decided.clone(),

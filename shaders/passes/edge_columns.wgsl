@@ -1,0 +1,17 @@
+// The nearest edges in each pixel's column, by which the pass after it finds the nearest of all.
+import chiaro::line_map;
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return whole_picture(index);
+}
+
+@fragment
+fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let pixel = vec2i(position.xy);
+    let seen = seen_pixel(pixel).texel;
+    if seen.w == 0.0 {
+        return vec4f(0.0);
+    }
+    return nearest_in_column(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)));
+}
