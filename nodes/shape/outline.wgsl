@@ -18,29 +18,119 @@ import chiaro::total;
 /// @param creases "Creases" default=0.5 min=0 max=4 : Share where a surface folds by 30 degrees or
 ///   more.
 /// @param borders "Borders of objects" default=1 min=0 max=4 : Share where two objects meet.
-/// @param look_borders "Borders of looks" default=0 min=0 max=4 : Share where two looks of an object
-///   meet.
+/// @param look_borders "Borders of looks" default=0 min=0 max=4 : Share where two looks of an
+///   object meet.
 /// @param nearness from=line_nearness hidden
+/// @param middle from=middle_surface hidden
+/// @param depth from=depth hidden
+/// @param object from=object_id hidden
 /// @param viewport from=viewport hidden
 /// @param magnification from=magnification hidden
+/// @error fast 1 : where lines are wider than 1/100 of the picture's height, and, with several
+///   samples a pixel, in pixels at the silhouettes of what lies behind
 /// @source edges in depth, normals and objects after Saito and Takahashi 1990; distances by columns
 ///   after Meijster et al. 2000; courses after Reshetov 2009
-fn outline_height(width: f32, silhouettes: f32, creases: f32, borders: f32, look_borders: f32,
-    nearness: vec4f, viewport: vec2f) -> Outline {
-    return drawn_outline(line_pixels(width, 0.001 * viewport.y),
-        vec4f(silhouettes, creases, borders, look_borders), nearness, viewport.y);
+fn outline_height(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    middle: vec2f,
+    depth: f32,
+    object: f32,
+    viewport: vec2f,
+    magnification: f32,
+) -> Outline {
+    let pixels = magnification * viewport.y;
+    let reach = line_reach(viewport.y, LINE_STEPS);
+    let own = own_nearness(nearness, middle, depth, object, pixels, reach);
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    return drawn_outline(line_widths(line_pixels(width, 0.001 * viewport.y), shares), own, reach);
 }
 
-fn outline_pixels(width: f32, silhouettes: f32, creases: f32, borders: f32, look_borders: f32,
-    nearness: vec4f, viewport: vec2f) -> Outline {
-    return drawn_outline(line_pixels(width, 1.0),
-        vec4f(silhouettes, creases, borders, look_borders), nearness, viewport.y);
+fn outline_pixels(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    middle: vec2f,
+    depth: f32,
+    object: f32,
+    viewport: vec2f,
+    magnification: f32,
+) -> Outline {
+    let pixels = magnification * viewport.y;
+    let reach = line_reach(viewport.y, LINE_STEPS);
+    let own = own_nearness(nearness, middle, depth, object, pixels, reach);
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    return drawn_outline(line_widths(line_pixels(width, 1.0), shares), own, reach);
 }
 
-fn outline_scene(width: f32, silhouettes: f32, creases: f32, borders: f32, look_borders: f32,
-    nearness: vec4f, viewport: vec2f, magnification: f32) -> Outline {
-    return drawn_outline(line_pixels(width, magnification * viewport.y),
-        vec4f(silhouettes, creases, borders, look_borders), nearness, viewport.y);
+fn outline_scene(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    middle: vec2f,
+    depth: f32,
+    object: f32,
+    viewport: vec2f,
+    magnification: f32,
+) -> Outline {
+    let pixels = magnification * viewport.y;
+    let reach = line_reach(viewport.y, LINE_STEPS);
+    let own = own_nearness(nearness, middle, depth, object, pixels, reach);
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    return drawn_outline(line_widths(line_pixels(width, pixels), shares), own, reach);
+}
+
+fn outline_height_fast(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    viewport: vec2f,
+) -> Outline {
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares);
+    return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
+}
+
+fn outline_pixels_fast(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    viewport: vec2f,
+) -> Outline {
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    let widths = line_widths(line_pixels(width, 1.0), shares);
+    return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
+}
+
+fn outline_scene_fast(
+    width: f32,
+    silhouettes: f32,
+    creases: f32,
+    borders: f32,
+    look_borders: f32,
+    nearness: vec4f,
+    viewport: vec2f,
+    magnification: f32,
+) -> Outline {
+    let shares = vec4f(silhouettes, creases, borders, look_borders);
+    let widths = line_widths(line_pixels(width, magnification * viewport.y), shares);
+    return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
 }
 
 struct Outline {
@@ -54,13 +144,10 @@ struct Outline {
     distance: f32,
 }
 
-fn drawn_outline(width: f32, shares: vec4f, nearness: vec4f, height: f32) -> Outline {
-    let reach = line_reach(height);
-    let widths = line_widths(width, shares);
+fn drawn_outline(widths: vec4f, nearness: vec4f, reach: f32) -> Outline {
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
-    var kind = 4.0;
-    kind = select(kind, 3.0, covers.z == line);
+    var kind = select(4.0, 3.0, covers.z == line);
     kind = select(kind, 2.0, covers.y == line);
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));

@@ -1,5 +1,5 @@
-// Straight edges near pixels, each packed into one number that an f32 holds exactly, so that a texel
-// has four: one of each kind.
+// Straight edges near pixels, each packed into one number that an f32 holds exactly, so that a
+// texel has four: one of each kind.
 
 /// Levels of a fine code's direction and of its place, by which an edge is told within 1/2000 of a
 /// pixel.
@@ -13,8 +13,8 @@ const MOST_ROWS = 31.0;
 /// A distance farther than any.
 const FAR = 1e9;
 
-/// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie, in
-/// pixels of the image.
+/// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
+/// in pixels of the image.
 struct EdgeLines {
     x: vec4f,
     y: vec4f,

@@ -1,7 +1,7 @@
 // Edges between pixels, told from what a pass over meshes drew: where one surface ends in front of
-// another, where it folds, and where two meet (docs/math.md 18). Each pixel at an edge has a straight
-// piece of it, whose place between the pixels is found from the surfaces' planes, from how a round
-// form turns out of sight, or from the course that the edge takes over the pixels around.
+// another, where it folds, and where two meet (docs/math.md 14). Each pixel at an edge has a
+// straight piece of it, whose place between the pixels is found from the surfaces' planes, from how
+// a round form turns out of sight, or from the course that the edge takes over the pixels around.
 import chiaro::curvature_map;
 import chiaro::edge_code;
 
@@ -118,8 +118,10 @@ fn round_bend(own: Facet, other: Facet, pixel: vec2i, step: vec2i) -> f32 {
     let last = vec2i(textureDimensions(surface)) - 1;
     let before = textureLoad(surface, clamp(pixel - step, vec2i(0), last), 0);
     let after = textureLoad(surface, clamp(pixel + 2 * step, vec2i(0), last), 0);
-    let bends = vec2f(length(normal_of(before) - own.normal), length(normal_of(after) - other.normal));
-    let shares = select(vec2f(0.0), vec2f(1.0), vec2f(abs(before.w), abs(after.w)) == vec2f(own.number));
+    let bends = vec2f(length(normal_of(before) - own.normal),
+        length(normal_of(after) - other.normal));
+    let numbers = vec2f(abs(before.w), abs(after.w));
+    let shares = select(vec2f(0.0), vec2f(1.0), numbers == vec2f(own.number));
     return dot(bends, shares) / max(shares.x + shares.y, 1.0);
 }
 
@@ -144,7 +146,7 @@ fn meeting(own: Facet, pixel: vec2i, step: vec2i, kind: i32) -> Edge {
     return edge_along(kind, course, toward, course_normal(course, toward));
 }
 
-/// The edge of a surface that ends in front of something farther than `limit`, or of something else.
+/// The edge of a surface that ends in front of what is farther than `limit`, or of another object.
 fn silhouette(own: Facet, pixel: vec2i, step: vec2i, limit: f32) -> Edge {
     let toward = vec2f(step);
     let course = course_at(pixel, step, own.number, limit);
@@ -157,12 +159,12 @@ fn silhouette(own: Facet, pixel: vec2i, step: vec2i, limit: f32) -> Edge {
     let normal = across / max(length(across), 1e-6);
     let is_round = before.number == own.number && facing < 0.36 && change > 1e-4
         && dot(normal, toward) > 0.5;
-    let place = facing / max(change, 1e-4);
-    // Where the course does not agree, the form is not as round as its normals.
-    if is_round && abs(place - course.place) < 0.5 {
-        return Edge(SILHOUETTE, normal, clamp(place, 0.0, 1.0) * dot(normal, toward));
-    }
-    return edge_along(SILHOUETTE, course, toward, course_normal(course, toward));
+    let place = clamp(facing / max(change, 1e-4), 0.0, 1.0);
+    // As far as the course does not agree, the form is not as round as its normals.
+    let trust = select(0.0, clamp(2.0 - 4.0 * abs(place - course.place), 0.0, 1.0), is_round);
+    let seen = Course(mix(course.place, place, trust), course.slope);
+    let turned = mix(course_normal(course, toward), normal, trust);
+    return edge_along(SILHOUETTE, seen, toward, turned / length(turned));
 }
 
 /// Square of how much a facet faces the eye; negative for one that is turned away.
@@ -258,6 +260,15 @@ fn course_at(pixel: vec2i, step: vec2i, number: f32, limit: f32) -> Course {
     return Course(clamp(select(place, 0.5 * place + 0.25, is_arc), 0.0, 1.0), slope);
 }
 
+/// True if a surface plainly goes on to a neighbor, which most do: that costs little to tell.
+fn goes_on(own: Facet, slope: vec2f, size: f32, pixel: vec2i, step: vec2i) -> bool {
+    let last = vec2i(textureDimensions(surface)) - 1;
+    let texel = textureLoad(surface, clamp(pixel + step, vec2i(0), last), 0);
+    let change = abs(texel.xy - slope);
+    let error = abs(texel.z - own.depth - dot(own.gentle_rise, vec2f(step)));
+    return abs(texel.w) == own.number && error <= size && max(change.x, change.y) < 0.35;
+}
+
 /// Codes of the nearest edges of each kind between a pixel and the four beside it; 0 for none.
 fn edges_at(pixel: vec2i) -> vec4f {
     let own = facet_at(pixel);
@@ -265,9 +276,14 @@ fn edges_at(pixel: vec2i) -> vec4f {
     if own.number == 0.0 {
         return codes;
     }
+    let slope = textureLoad(surface, pixel, 0).xy;
+    let size = pixel_size_at(own.depth);
     var nearest = vec4f(FAR);
     for (var index = 0; index < 4; index++) {
         let step = around(index);
+        if goes_on(own, slope, size, pixel, step) {
+            continue;
+        }
         var edge = edge_between(own, pixel, step);
         if edge.kind == NO_EDGE {
             continue;

@@ -1,4 +1,4 @@
-// How far pixels are from the nearest edges (docs/math.md 18): first within each column, then over
+// How far pixels are from the nearest edges (docs/math.md 14): first within each column, then over
 // the columns, which finds the nearest for few reads however far away it is.
 //
 // A pixel sees the edges of its own surface alone: a line belongs to what lies in front, and what
@@ -14,11 +14,6 @@ import chiaro::lines;
 /// Depth by which a surface may leave its plane, in multiples of what tells neighbors apart.
 const LEEWAY = 3.0;
 
-/// Pixels to which edges are looked for.
-fn reach_pixels() -> i32 {
-    return i32(line_reach(curvature.viewport_height));
-}
-
 /// True if a texel belongs to the surface of a plane, so many pixels away.
 fn is_same_surface(own: Plane, texel: vec4f, offset: vec2f) -> bool {
     let error = abs(texel.z - own.depth - dot(own.rise, offset));
@@ -26,11 +21,10 @@ fn is_same_surface(own: Plane, texel: vec4f, offset: vec2f) -> bool {
         && error <= LEEWAY * own.tolerance * max(length(offset), 1.0);
 }
 
-/// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row from
-/// the pixel; 0 for none.
-fn nearest_in_column(pixel: vec2i, own: Plane) -> vec4f {
+/// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row
+/// from the pixel; 0 for none. `reach` is how far edges are looked for, in pixels.
+fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
     let last = vec2i(textureDimensions(surface)) - 1;
-    let reach = reach_pixels();
     var nearest = vec4f(FAR);
     var codes = vec4f(0.0);
     for (var row = max(-reach, -pixel.y); row <= min(reach, last.y - pixel.y); row++) {

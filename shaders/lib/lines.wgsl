@@ -1,10 +1,30 @@
-// Lines where forms end, fold and meet (docs/math.md 18), as looks draw them from their distances.
+// Lines where forms end, fold and meet (docs/math.md 14), as looks draw them from their distances.
 import chiaro::total;
 
-/// Farthest that a line is known from its edge, in pixels: 16 steps of 1/800 of the picture's
+/// Steps of 1/800 of the picture's height that lines reach from their edges.
+const LINE_STEPS = 16.0;
+/// The same in the fast tier.
+const FEW_LINE_STEPS = 8.0;
+
+/// Farthest that a line is known from its edge, in pixels: so many steps of 1/800 of the picture's
 /// height, and at most 31 pixels, as far as an offset fits into a texel.
-fn line_reach(viewport_height: f32) -> f32 {
-    return min(16.0 * max(round(viewport_height / 800.0), 1.0), 31.0);
+fn line_reach(viewport_height: f32, steps: f32) -> f32 {
+    return min(steps * max(round(viewport_height / 800.0), 1.0), 31.0);
+}
+
+/// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
+/// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
+/// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
+/// the pixel, so that its silhouette is there; one that lies behind has no line.
+fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels: f32,
+    reach: f32) -> vec4f {
+    let is_same_object = middle.y == object + 1.0;
+    let behind = (depth - middle.x) * pixels;
+    // Slivers of the same surface are seen on the planes of their own triangles.
+    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0);
+    let is_in_front = behind < select(-2.0, -8.0, is_same_object);
+    let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
+    return select(other, nearness, is_own);
 }
 
 /// A number of pixels that a width says, 0 or more and less than any reach needs.
@@ -30,8 +50,8 @@ fn middle_line_covers(distance: vec3f, width: vec3f) -> vec3f {
 }
 
 /// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
-/// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of objects
-/// and borders of looks.
+/// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
+/// objects and borders of looks.
 fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
     let distance = reach - nearness;
     let covers = vec4f(inner_line_covers(distance.x, widths.x),

@@ -1,6 +1,9 @@
 // The nearest edges in each pixel's column, by which the pass after it finds the nearest of all.
 import chiaro::line_map;
 
+/// Steps of 1/800 of the picture's height to which edges are looked for.
+const STEPS = 16;
+
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return whole_picture(index);
@@ -13,5 +16,6 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if seen.w == 0.0 {
         return vec4f(0.0);
     }
-    return nearest_in_column(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)));
+    let reach = line_reach(curvature.viewport_height, f32(STEPS));
+    return nearest_in_column(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)), i32(reach));
 }

@@ -2,6 +2,9 @@
 // borders of objects and borders of looks; 0 where none is near.
 import chiaro::line_map;
 
+/// Steps of 1/800 of the picture's height to which edges are looked for.
+const STEPS = 16;
+
 /// The nearest edges in each pixel's column, as [`nearest_in_column`] finds them.
 @group(0) @binding(3) var columns: texture_2d<f32>;
 
@@ -22,7 +25,7 @@ fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
 
 fn nearness_at(pixel: vec2i, own: Plane) -> vec4f {
     let last = vec2i(textureDimensions(surface)) - 1;
-    let reach = reach_pixels();
+    let reach = i32(line_reach(curvature.viewport_height, f32(STEPS)));
     var nearest = vec4f(FAR);
     // Columns and rows of the nearest edges, from the pixel.
     var across = vec4f(0.0);

@@ -13,6 +13,7 @@ mod keys;
 mod light_filters;
 mod marks;
 mod nodes;
+mod outlines;
 mod pruned;
 mod raster;
 mod shadows;

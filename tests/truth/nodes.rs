@@ -1305,6 +1305,8 @@ const ELSEWHERE: &[&str] = &[
     "radiance_scaling",
     "relief",
     "smooth_normal",
+    // outlines.rs
+    "outline",
     // shape_passes.rs
     "litsphere_pair",
     "outer_contour",

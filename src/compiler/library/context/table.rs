@@ -255,8 +255,27 @@ pub(super) const TABLE: &[Row] = &[
          and border of looks are, in pixels; 0 where none is near",
     )
     .labeled("nearness of edges")
+    .cheaper(None, Some("line_nearness_short"))
     .within(ContextBounds::Clamped(MAX_LINE_REACH))
     .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
+    Row::of_pass(
+        "line_nearness_short",
+        "vec4f",
+        ("line_nearness_short", "texel"),
+        "the same within half as far, nearer than that reach",
+    )
+    .labeled("nearness of edges")
+    .within(ContextBounds::Clamped(MAX_LINE_REACH))
+    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
+    Row::of_pass(
+        "middle_surface",
+        "vec2f",
+        ("facets", "vec2f(texel.z, floor(abs(texel.w)))"),
+        "the depth of what the middle of the pixel shows, in scene units, and the number of its \
+         object, from 1 on; 0 where nothing is",
+    )
+    .within(ContextBounds::Within(4.0 * MAX_PLACE))
+    .given(&[0.0; 2], (Some(0.0), None)),
     Row::host(
         "camera_from_world",
         "mat3x3f",

@@ -34,6 +34,22 @@ macro_rules! reads {
     };
 }
 
+/// Inputs of the passes that look for the nearest edges, the last one by the columns' pass.
+const COLUMNS_READ: &[PassInput] = &[
+    PassInput { binding: "surface", pass: "facets", output: "surface" },
+    PassInput { binding: "edges", pass: "edges", output: "edges" },
+];
+const LINES_READ: &[PassInput] = &[
+    COLUMNS_READ[0],
+    COLUMNS_READ[1],
+    PassInput { binding: "columns", pass: "edge_columns", output: "edges" },
+];
+const SHORT_READ: &[PassInput] = &[
+    COLUMNS_READ[0],
+    COLUMNS_READ[1],
+    PassInput { binding: "columns", pass: "edge_columns_short", output: "edges" },
+];
+
 /// Work of a pass that measures normals with a file whose constants are not set.
 const fn measured(shader: &'static str, reach: u32) -> PassWork {
     PassWork::Screen { shader, constants: &[], reach }
@@ -58,6 +74,52 @@ const fn smooth(
         purpose: "smoothed normals",
         result: "smoother ones are",
         help,
+    }
+}
+
+/// Row of the nearest edges in columns, as far as the steps that its file's constant gives.
+const fn columns(
+    slug: &'static str,
+    label: &'static str,
+    steps: &'static [(&'static str, i32); 1],
+) -> PassRow {
+    PassRow {
+        slug,
+        label,
+        work: PassWork::Screen {
+            shader: "edge_columns",
+            constants: steps,
+            reach: steps[0].1 as u32,
+        },
+        reads: COLUMNS_READ,
+        writes: EDGES,
+        map: "",
+        purpose: "the nearest edges of columns",
+        result: "edges are",
+        help: "Finds the nearest edges in each pixel's column.",
+    }
+}
+
+/// Row of the nearness of edges, as far as the steps of the columns that it reads.
+const fn lines(
+    (slug, label, map): (&'static str, &'static str, &'static str),
+    reads: &'static [PassInput],
+    steps: &'static [(&'static str, i32); 1],
+) -> PassRow {
+    PassRow {
+        slug,
+        label,
+        work: PassWork::Screen {
+            shader: "line_nearness",
+            constants: steps,
+            reach: steps[0].1 as u32,
+        },
+        reads,
+        writes: NEARNESS,
+        map,
+        purpose: "the nearness of edges",
+        result: "lines are",
+        help: "Finds how near the nearest edges of each kind are.",
     }
 }
 
@@ -174,7 +236,7 @@ pub(super) const TABLE: &[PassRow] = &[
         work: PassWork::Meshes(Stage::Facets),
         reads: &[],
         writes: SURFACE,
-        map: "",
+        map: "facet_map",
         purpose: "outlines",
         result: "",
         help: "Draws normals, depth, objects and looks, for the passes of lines.",
@@ -190,35 +252,10 @@ pub(super) const TABLE: &[PassRow] = &[
         result: "edges are",
         help: "Finds where surfaces end, fold and meet.",
     },
-    PassRow {
-        slug: "edge_columns",
-        label: "edge columns",
-        work: measured("edge_columns", 16),
-        reads: &[
-            PassInput { binding: "surface", pass: "facets", output: "surface" },
-            PassInput { binding: "edges", pass: "edges", output: "edges" },
-        ],
-        writes: EDGES,
-        map: "",
-        purpose: "the nearest edges of columns",
-        result: "edges are",
-        help: "Finds the nearest edges in each pixel's column.",
-    },
-    PassRow {
-        slug: "line_nearness",
-        label: "lines",
-        work: measured("line_nearness", 16),
-        reads: &[
-            PassInput { binding: "surface", pass: "facets", output: "surface" },
-            PassInput { binding: "edges", pass: "edges", output: "edges" },
-            PassInput { binding: "columns", pass: "edge_columns", output: "edges" },
-        ],
-        writes: NEARNESS,
-        map: "line_nearness_map",
-        purpose: "the nearness of edges",
-        result: "lines are",
-        help: "Finds how near the nearest edges of each kind are.",
-    },
+    columns("edge_columns", "edge columns", &[("STEPS", 16)]),
+    lines(("line_nearness", "lines", "line_nearness_map"), LINES_READ, &[("STEPS", 16)]),
+    columns("edge_columns_short", "edge columns nearby", &[("STEPS", 8)]),
+    lines(("line_nearness_short", "lines nearby", "line_short_map"), SHORT_READ, &[("STEPS", 8)]),
     PassRow {
         slug: "draw",
         label: "look",
