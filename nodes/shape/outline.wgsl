@@ -152,5 +152,6 @@ fn drawn_outline(widths: vec4f, nearness: vec4f, reach: f32) -> Outline {
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));
     let nearest = max(max(near.x, near.y), max(near.z, near.w));
-    return Outline(line, select(0.0, kind, line > 0.0), reach - nearest);
+    // A share of nothing but rounding is of no kind.
+    return Outline(line, select(0.0, kind, line > 1e-3), reach - nearest);
 }

@@ -50,15 +50,24 @@ fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
     return EdgeLines(x / size, y / size, (place + 0.5) * (4.0 / levels) - 2.0);
 }
 
-/// Distances in pixels between a pixel and edges, by the places of the edges' pixels from it. The
-/// first edge is a silhouette: it counts on its inner side alone, and is 0 away beyond, where a
-/// pixel is only touched; on its far side it is [`FAR`].
+/// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
+/// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
+/// edge is a silhouette, which counts on its inner side alone: beyond it is [`FAR`].
+fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+    let x = columns + edges.x * edges.offset;
+    let y = rows + edges.y * edges.offset;
+    let inward = x.x * edges.x.x + y.x * edges.y.x;
+    let distances = sqrt(x * x + y * y);
+    return vec4f(select(distances.x, FAR, inward < -1.0), distances.yzw);
+}
+
+/// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
+/// pixels from it. The first is a silhouette, and 0 away beyond, where a pixel is only touched.
 fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
     let across = edges.offset + edges.x * columns + edges.y * rows;
     let along = abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
     let beyond = max(along - 1.0, vec4f(0.0));
     let side = vec4f(max(across.x, 0.0), abs(across.yzw));
-    let distance = sqrt(side * side + beyond * beyond);
-    return vec4f(select(distance.x, FAR, across.x < -1.0), distance.yzw);
+    return sqrt(side * side + beyond * beyond);
 }

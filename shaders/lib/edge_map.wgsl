@@ -76,11 +76,13 @@ struct Edge {
     kind: i32,
     normal: vec2f,
     offset: f32,
+    /// How well the line is known, 0 to 1: little where it runs along the way to the neighbor.
+    trust: f32,
 }
 
 /// The edge between a pixel and its neighbor.
 fn edge_between(own: Facet, pixel: vec2i, step: vec2i) -> Edge {
-    let none = Edge(NO_EDGE, vec2f(0.0), 0.0);
+    let none = Edge(NO_EDGE, vec2f(0.0), 0.0, 0.0);
     let at = pixel + step;
     // Beyond the picture nothing is known, and nothing ends.
     if any(at < vec2i(0)) || any(at >= vec2i(textureDimensions(surface))) {
@@ -100,16 +102,16 @@ fn edge_between(own: Facet, pixel: vec2i, step: vec2i) -> Edge {
         return silhouette(own, pixel, step, select(FAR, middle, is_same_object));
     }
     if !is_same_object {
-        return Edge(OBJECT_BORDER, vec2f(0.0), 0.0);
+        return Edge(OBJECT_BORDER, vec2f(0.0), 0.0, 0.0);
     }
     if own.number != other.number {
-        return Edge(LOOK_BORDER, vec2f(0.0), 0.0);
+        return Edge(LOOK_BORDER, vec2f(0.0), 0.0, 0.0);
     }
     let bend = length(own.normal - other.normal);
     if bend < LEAST_BEND || bend - round_bend(own, other, pixel, step) < LEAST_BEND {
         return none;
     }
-    return Edge(CREASE, vec2f(0.0), 0.0);
+    return Edge(CREASE, vec2f(0.0), 0.0, 0.0);
 }
 
 /// Change of the normal between two neighbors that a round form would have: what it is to both
@@ -137,10 +139,11 @@ fn meeting(own: Facet, pixel: vec2i, step: vec2i, kind: i32) -> Edge {
     if abs(side) > 0.1 * pixel_size_at(own.depth) && abs(side) > 0.3 * steepness {
         let share = clamp(-here / side, 0.0, 1.0);
         let normal = slope / select(-steepness, steepness, side > 0.0);
-        return Edge(kind, normal, share * dot(normal, toward));
+        let lean = dot(normal, toward);
+        return Edge(kind, normal, share * lean, lean);
     }
     if kind == CREASE {
-        return Edge(kind, toward, 0.5);
+        return Edge(kind, toward, 0.5, 0.0);
     }
     let course = course_at(pixel, step, own.number, FAR);
     return edge_along(kind, course, toward, course_normal(course, toward));
@@ -159,10 +162,11 @@ fn silhouette(own: Facet, pixel: vec2i, step: vec2i, limit: f32) -> Edge {
     let normal = across / max(length(across), 1e-6);
     let is_round = before.number == own.number && facing < 0.36 && change > 1e-4
         && dot(normal, toward) > 0.5;
-    let place = clamp(facing / max(change, 1e-4), 0.0, 1.0);
-    // As far as the course does not agree, the form is not as round as its normals.
-    let trust = select(0.0, clamp(2.0 - 4.0 * abs(place - course.place), 0.0, 1.0), is_round);
-    let seen = Course(mix(course.place, place, trust), course.slope);
+    let found = facing / max(change, 1e-4);
+    let place = clamp(found, 0.0, 1.0);
+    // As far as this is not between the pixels, the form is not as round as its normals.
+    let trust = select(0.0, clamp(2.0 - 4.0 * abs(found - place), 0.0, 1.0), is_round);
+    let seen = Course(mix(course.place, place, trust), course.slope, mix(course.trust, 1.0, trust));
     let turned = mix(course_normal(course, toward), normal, trust);
     return edge_along(SILHOUETTE, seen, toward, turned / length(turned));
 }
@@ -178,6 +182,8 @@ fn facing_squared(facet: Facet) -> f32 {
 struct Course {
     place: f32,
     slope: f32,
+    /// Share of the rows nearby over which it was followed.
+    trust: f32,
 }
 
 fn course_normal(course: Course, toward: vec2f) -> vec2f {
@@ -186,7 +192,8 @@ fn course_normal(course: Course, toward: vec2f) -> vec2f {
 }
 
 fn edge_along(kind: i32, course: Course, toward: vec2f, normal: vec2f) -> Edge {
-    return Edge(kind, normal, course.place * dot(normal, toward));
+    let lean = dot(normal, toward);
+    return Edge(kind, normal, course.place * lean, course.trust * lean);
 }
 
 /// True if a pixel shows the surface with this number, no farther than `limit`.
@@ -196,16 +203,49 @@ fn shows(at: vec2i, number: f32, limit: f32) -> bool {
     return abs(texel.w) == number && texel.z < limit;
 }
 
+/// Sums over the rows of a course, to fit a line and a parabola: x is how far along a row lies, y
+/// how far beyond the pixel's middle the edge lies there.
+struct CourseSums {
+    count: f32,
+    x: f32,
+    y: f32,
+    xx: f32,
+    xy: f32,
+    yy: f32,
+    xxy: f32,
+}
+
+/// Where a course is bent, a parabola counts: squares of what a line leaves, from what rounding to
+/// rows leaves in any case on.
+const LEAST_LEFT = 0.09;
+const BENT_LEFT = 0.14;
+
+/// The course that fits rows best.
+fn fitted_course(sums: CourseSums, is_arc: bool) -> Course {
+    let trust = sums.count / (2.0 * f32(NEAR_COURSE) + 1.0);
+    let spread = sums.count * sums.xx - sums.x * sums.x;
+    let slope = (sums.count * sums.xy - sums.x * sums.y) / spread;
+    let straight = (sums.y - slope * sums.x) / sums.count;
+    if trust < 1.0 {
+        return Course(clamp(straight, 0.0, 1.0), slope, trust);
+    }
+    // Over all rows x sums to 0, its fourth powers to 1958.
+    let bent = (1958.0 * sums.y - sums.xx * sums.xxy)
+        / (sums.count * 1958.0 - sums.xx * sums.xx);
+    let left = (sums.yy - straight * sums.y - slope * sums.xy) / sums.count;
+    let share = clamp((left - LEAST_LEFT) / (BENT_LEFT - LEAST_LEFT), 0.0, 1.0);
+    return Course(clamp(mix(straight, bent, select(share, 1.0, is_arc)), 0.0, 1.0), slope, trust);
+}
+
 /// The course of the edge between a pixel and its neighbor, by the pixels at which it changes over
 /// from one row to the next. A flat course passes the middle of a pixel near each such change; a
-/// steep one is the line through all.
+/// steep or bent one is fitted.
 fn course_at(pixel: vec2i, step: vec2i, number: f32, limit: f32) -> Course {
     let along = abs(step.yx);
     // The first change to both sides: how far along, and how far beyond the pixel.
     var ends = array<vec2f, 2>(vec2f(0.0), vec2f(0.0));
     var changes = 0;
-    var count = 1.0;
-    var sum = vec4f(0.0, 0.5, 0.0, 0.0);
+    var sums = CourseSums(1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0);
     for (var side = 0; side < 2; side++) {
         let way = along * (1 - 2 * side);
         var height = 0;
@@ -239,8 +279,13 @@ fn course_at(pixel: vec2i, step: vec2i, number: f32, limit: f32) -> Course {
             if row <= NEAR_COURSE {
                 let x = f32(row * (1 - 2 * side));
                 let y = f32(height) + 0.5;
-                sum += vec4f(x, y, x * x, x * y);
-                count += 1.0;
+                sums.count += 1.0;
+                sums.x += x;
+                sums.y += y;
+                sums.xx += x * x;
+                sums.xy += x * y;
+                sums.yy += y * y;
+                sums.xxy += x * x * y;
             }
             row++;
         }
@@ -248,16 +293,17 @@ fn course_at(pixel: vec2i, step: vec2i, number: f32, limit: f32) -> Course {
             ends[side] = vec2f(f32(row) - 0.5, f32(height) + 0.5);
         }
     }
-    let spread = count * sum.z - sum.x * sum.x;
-    if changes >= 3 && count >= 7.0 {
-        let slope = (count * sum.w - sum.x * sum.y) / spread;
-        return Course(clamp((sum.y - slope * sum.x) / count, 0.0, 1.0), slope);
-    }
-    let slope = (ends[0].y - ends[1].y) / (ends[0].x + ends[1].x);
+    let length = ends[0].x + ends[1].x;
+    let slope = (ends[0].y - ends[1].y) / length;
     let place = ends[1].y + slope * ends[1].x;
-    // At the top of an arc the edge lies beyond the changes to both sides.
     let is_arc = ends[0].y == ends[1].y && place != 0.5;
-    return Course(clamp(select(place, 0.5 * place + 0.25, is_arc), 0.0, 1.0), slope);
+    if (changes >= 3 || (is_arc && changes >= 2)) && sums.count >= 7.0 {
+        return fitted_course(sums, is_arc);
+    }
+    // The top of an arc lies beyond the changes to both sides, by half a pixel in the mean.
+    let rise = select(0.0, 4.0 * ends[0].x * ends[1].x / (length * length), is_arc);
+    let trust = sums.count / (2.0 * f32(NEAR_COURSE) + 1.0);
+    return Course(clamp(mix(place, 0.5, rise), 0.0, 1.0), slope, trust);
 }
 
 /// True if a surface plainly goes on to a neighbor, which most do: that costs little to tell.
@@ -269,21 +315,27 @@ fn goes_on(own: Facet, slope: vec2f, size: f32, pixel: vec2i, step: vec2i) -> bo
     return abs(texel.w) == own.number && error <= size && max(change.x, change.y) < 0.35;
 }
 
-/// Codes of the nearest edges of each kind between a pixel and the four beside it; 0 for none.
+/// Codes of the edges of each kind between a pixel and the four beside it, those that are known
+/// best; 0 for none.
 fn edges_at(pixel: vec2i) -> vec4f {
     let own = facet_at(pixel);
-    var codes = vec4f(0.0);
     if own.number == 0.0 {
-        return codes;
+        return vec4f(0.0);
     }
     let slope = textureLoad(surface, pixel, 0).xy;
     let size = pixel_size_at(own.depth);
-    var nearest = vec4f(FAR);
+    var left = 0u;
     for (var index = 0; index < 4; index++) {
-        let step = around(index);
-        if goes_on(own, slope, size, pixel, step) {
+        left |= select(1u << u32(index), 0u, goes_on(own, slope, size, pixel, around(index)));
+    }
+    var codes = vec4f(0.0);
+    var trust = vec4f(-1.0);
+    // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
+    for (var index = select(0, 4, left == 0u); index < 4; index++) {
+        if ((left >> u32(index)) & 1u) == 0u {
             continue;
         }
+        let step = around(index);
         var edge = edge_between(own, pixel, step);
         if edge.kind == NO_EDGE {
             continue;
@@ -292,9 +344,9 @@ fn edges_at(pixel: vec2i) -> vec4f {
             edge = meeting(own, pixel, step, edge.kind);
         }
         let is_kind = vec4i(edge.kind) == vec4i(SILHOUETTE, CREASE, OBJECT_BORDER, LOOK_BORDER);
-        let is_nearer = is_kind & (vec4f(abs(edge.offset)) < nearest);
-        nearest = select(nearest, vec4f(abs(edge.offset)), is_nearer);
-        codes = select(codes, vec4f(edge_code(edge.normal, edge.offset)), is_nearer);
+        let is_better = is_kind & (vec4f(edge.trust) > trust);
+        trust = select(trust, vec4f(edge.trust), is_better);
+        codes = select(codes, vec4f(edge_code(edge.normal, edge.offset)), is_better);
     }
     return codes;
 }

@@ -37,7 +37,8 @@ fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
             continue;
         }
         let distances = select(vec4f(FAR),
-            edge_distances(edges_of(found, FINE), vec4f(0.0), vec4f(f32(row))), found > vec4f(0.0));
+            middle_distances(edges_of(found, FINE), vec4f(0.0), vec4f(f32(row))),
+            found > vec4f(0.0));
         let is_nearer = distances < nearest;
         nearest = select(nearest, distances, is_nearer);
         codes = select(codes, coarse_codes(found) + ROW * (f32(row) + MOST_ROWS), is_nearer);

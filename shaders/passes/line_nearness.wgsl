@@ -45,7 +45,7 @@ fn nearness_at(pixel: vec2i, own: Plane) -> vec4f {
         let lines = edges_of(found - ROW * rows, COARSE);
         let places = rows - MOST_ROWS;
         let distances = select(vec4f(FAR),
-            edge_distances(lines, vec4f(f32(column)), places), found > vec4f(0.0));
+            middle_distances(lines, vec4f(f32(column)), places), found > vec4f(0.0));
         let is_nearer = distances < nearest;
         nearest = select(nearest, distances, is_nearer);
         across = select(across, vec4f(f32(column)), is_nearer);

@@ -390,7 +390,8 @@ fn passes_of_lines_exist_only_where_a_look_asks() {
     assert!(asks(outlined("line", 4.0, [1.0; 4])));
     assert!(asks(shown("line", &json!({"unit": "scene"}))));
     let unread = look(&json!({"nodes": [{"id": "lines", "kind": "outline"},
-            {"id": "output", "kind": "output"}], "wires": []}));
+            {"id": "tone", "kind": "color_value"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "tone", "to": "output.color"}]}));
     assert!(!asks(unread));
     // An object out of the picture asks for nothing.
     let aside = DVec2::new(500.0, 0.0);
