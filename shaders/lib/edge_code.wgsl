@@ -13,6 +13,11 @@ const MOST_ROWS = 31.0;
 /// A distance farther than any.
 const FAR = 1e9;
 
+/// The number of the object in a texel's number, from 1 on; 0 where nothing is.
+fn object_in(number: f32) -> f32 {
+    return floor(abs(number));
+}
+
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
 /// in pixels of the image.
 struct EdgeLines {

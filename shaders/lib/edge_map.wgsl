@@ -35,11 +35,6 @@ struct Facet {
     gentle_rise: vec2f,
 }
 
-/// The number of the object in a texel's number, from 1 on; 0 where nothing is.
-fn object_in(number: f32) -> f32 {
-    return floor(abs(number));
-}
-
 /// Size in scene units of a pixel at a depth.
 fn pixel_size_at(depth: f32) -> f32 {
     return curvature.pixel * mix(1.0, depth, curvature.perspective);

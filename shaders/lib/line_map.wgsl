@@ -5,10 +5,9 @@
 // lies behind draws none for it.
 import chiaro::curvature_map;
 import chiaro::edge_code;
-import chiaro::edge_map;
 import chiaro::lines;
 
-/// Codes of edges at each pixel, as [`edges_at`] finds them.
+/// Codes of edges at each pixel, as `edges_at` of `edge_map.wgsl` finds them.
 @group(0) @binding(2) var edges: texture_2d<f32>;
 
 /// Depth by which a surface may leave its plane, in multiples of what tells neighbors apart.
