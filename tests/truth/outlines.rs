@@ -174,7 +174,8 @@ fn silhouettes_of_a_ball_are_as_wide_as_they_are_told() {
     for (slices, radius, width, bounds) in [
         (256, 50.0, 6.0, [0.1, 0.02]),
         (256, 20.0, 3.0, [0.12, 0.03]),
-        (32, 50.0, 6.0, [0.5, 0.15]),
+        // Few slices end up to a quarter of a pixel within the ball that is compared.
+        (32, 50.0, 6.0, [0.5, 0.22]),
     ] {
         let (mut most, mut mean) = (0.0_f64, 0.0_f64);
         for shift in [DVec2::ZERO, DVec2::new(0.31, 0.17), DVec2::new(0.5, -0.42)] {
@@ -193,7 +194,7 @@ fn silhouettes_of_a_ball_are_as_wide_as_they_are_told() {
 fn turned_box(angle: f64) -> (DQuat, impl Fn(DVec3) -> DVec2) {
     let turn = DQuat::from_rotation_x(0.6)
         * DQuat::from_rotation_y(0.5 + angle)
-        * DQuat::from_rotation_z(0.2 * angle);
+        * DQuat::from_rotation_z(0.17 + 0.2 * angle);
     (turn, move |corner: DVec3| PIXELS * (turn * corner).truncate())
 }
 
@@ -245,8 +246,8 @@ fn creases_and_silhouettes_of_a_box_lie_where_its_edges_are() {
         outer = [0, 1].map(|index| outer[index].max(found_errors[index]));
     }
     println!("creases of a box: {crease:.3?}; silhouettes: {outer:.3?}");
-    assert!(crease[0] <= 0.1 && crease[1] <= 0.02, "creases: {crease:?}");
-    assert!(outer[0] <= 0.45 && outer[1] <= 0.1, "silhouettes: {outer:?}");
+    assert!(crease[0] <= 0.2 && crease[1] <= 0.025, "creases: {crease:?}");
+    assert!(outer[0] <= 0.55 && outer[1] <= 0.09, "silhouettes: {outer:?}");
 }
 
 #[test]
@@ -299,7 +300,7 @@ fn looks_of_an_object_that_meet_draw_half_of_a_line_each() {
         let [most, mean] = errors(&found, &is_line, &|at| at.abs().max_element() < 50.0);
         println!("two looks, slope {slope}: {most:.3}, mean {mean:.4}");
         // What runs along the pixels may lie anywhere between two rows.
-        let bounds = if slope == 0.0 { [0.51, 0.51] } else { [0.36, 0.12] };
+        let bounds = if slope == 0.0 { [0.51, 0.51] } else { [0.15, 0.06] };
         assert!(most <= bounds[0] && mean <= bounds[1], "{slope}: {most}, {mean}");
     }
 }
@@ -397,4 +398,60 @@ fn passes_of_lines_exist_only_where_a_look_asks() {
     let aside = DVec2::new(500.0, 0.0);
     let away = passes(&ball(sphere_of(16), 20.0, aside, outlined("line", 4.0, [1.0; 4])));
     assert_eq!(away, [format!("{:?}", PassId::LOOK)]);
+}
+
+/// A thing with a ball, a fold and a hollow, at some angle.
+fn knot_with(look: SetupLook) -> Setup {
+    scene_of(vec![(look, shape("knot").0, DMat4::from_rotation_x(0.5))], from_front())
+}
+
+#[test]
+fn units_say_the_same_width() {
+    let drawn = |unit: &str, width: f64| {
+        on_gpu(&knot_with(shown("line", &json!({"unit": unit, "width": width}))))
+    };
+    let pixels = drawn("pixels", 3.2);
+    let lines = pixels.iter().flatten().filter(|line| **line > 0.5).count();
+    assert!(lines > 300, "{lines} pixels of lines");
+    for (unit, width) in [("scene", 3.2 / PIXELS), ("height", 3200.0 / f64::from(SIZE))] {
+        let other = drawn(unit, width);
+        let is_same = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
+            (Some(a), Some(b)) => (a - b).abs() < 2e-3,
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        assert!(pixels.iter().zip(&other).all(is_same), "{unit}");
+    }
+}
+
+/// The fast tier reaches half as far, and is the same within.
+#[test]
+fn thin_lines_are_the_same_in_the_fast_tier() {
+    let drawn = |tier: &str, width: f64| {
+        let nodes = json!({"nodes": [
+            {"id": "lines", "kind": "outline", "tier": tier,
+                "values": {"unit": "pixels", "width": width}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "lines.line", "to": "output.color"}]});
+        on_gpu(&ball(sphere_of(64), 50.0, DVec2::ZERO, look(&nodes)))
+    };
+    let differ = |width: f64| {
+        let [exact, fast] = ["exact", "fast"].map(|tier| drawn(tier, width));
+        let apart = |(a, b): &(&Option<f64>, &Option<f64>)| match (a, b) {
+            (Some(a), Some(b)) => (a - b).abs() > 2e-3,
+            _ => false,
+        };
+        exact.iter().zip(&fast).filter(apart).count()
+    };
+    assert_eq!(differ(5.0), 0);
+    assert!(differ(14.0) > 100);
+}
+
+/// What reaches out of the picture has no line where the picture ends.
+#[test]
+fn the_edge_of_the_picture_is_no_edge() {
+    let (wall, _) = shape("plane");
+    let placed = DMat4::from_rotation_x(-0.7) * DMat4::from_scale(DVec3::splat(20.0));
+    let look = outlined("line", 6.0, [1.0; 4]);
+    let found = on_gpu(&scene_of(vec![(look, wall, placed)], from_front()));
+    assert!(found.iter().all(|line| *line == Some(0.0)));
 }

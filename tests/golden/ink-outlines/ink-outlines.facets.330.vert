@@ -1,0 +1,48 @@
+#version 330 core
+// Ink outlines: made by Chiaro 0.1.0, GLSL 3.30.
+// The vertex shader. Draws normals, depth, objects and looks, for the passes of lines.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1.
+// ink-outlines.json says what to put there and how to draw.
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    mat3x3 world_from_normal;
+    float id;
+    float cutoff;
+    float look;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 normal;
+};
+layout(std140) uniform ViewBlock { View u_view; };
+
+layout(std140) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+smooth out vec3 v_position;
+smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    mat4x4 _e3 = u_object.world_from_object;
+    vec4 world = (_e3 * vec4(vertex.position, 1.0));
+    mat4x4 _e10 = u_view.clip_from_world;
+    mat3x3 _e15 = u_object.world_from_normal;
+    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, (_e15 * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_normal = _tmp_return.normal;
+    return;
+}
+
