@@ -30,6 +30,8 @@
 //! - Passes: `compiler/library/passes/table.rs`.
 //! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`,
 //!   `shaders/lib/slope.wgsl`.
+//! - Outlines: `shaders/lib/edge_map.wgsl` finds edges, `shaders/lib/line_map.wgsl` how far they
+//!   are, `shaders/lib/lines.wgsl` what lines cover; the order of passes is that of the table.
 //! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
 //! - Looks drawn over the picture: `scene/frame/deferred/mod.rs` (`Deferral`), chosen in
 //!   `scene/frame/plan/deferral.rs`, drawn in `render/deferred/mod.rs`.
