@@ -45,6 +45,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         values: chiaro::document::Values::default(),
         light_link: Default::default(),
         shadow_link: Default::default(),
+        layers: Default::default(),
     }
 }
 

@@ -94,6 +94,7 @@ fn object(name: &str, matrix: DMat4) -> SetupObject {
         values: Default::default(),
         light_link: Default::default(),
         shadow_link: Default::default(),
+        layers: Default::default(),
     }
 }
 

@@ -1,4 +1,5 @@
-//! `chiaro lights`: the lights of a scene, and which of them reach which objects by which rule.
+//! `chiaro lights`: the lights of a scene, which of them reach which objects and nodes of their
+//! looks, which nodes filter them, and whose shadows fall on what, each with the rule that decides.
 //! Needs no GPU.
 
 use std::fmt::Write as _;
@@ -6,16 +7,20 @@ use std::path::PathBuf;
 
 use serde_json::{Value as Json, json};
 
+use super::open::library_for;
 use super::output::Output;
+use crate::compile::NodeReach;
 use crate::diag::Diagnostic;
-use crate::document::Light;
-use crate::frame::{Assets, LightReach, Setup, open};
+use crate::document::{Light, LightRelation};
+use crate::frame::{Assets, LayerReach, LightReach, Setup, ShadowReach, open};
 use crate::ids::LightId;
 
 const EXAMPLES: &str = "\
 Examples:
   chiaro lights scene.json            every light, with its kind, its groups and its owner
-  chiaro lights scene.json --matrix   which lights reach which objects, and the rule that decides
+  chiaro lights scene.json --matrix   which lights reach which objects and nodes of their looks,
+                                      which nodes filter them, whose shadows fall on what, and the
+                                      rules that decide
   chiaro lights scene.json --matrix --json   the same for a script";
 
 /// Arguments of `chiaro lights`.
@@ -24,12 +29,56 @@ Examples:
 pub(super) struct Arguments {
     /// A scene, or a look
     document: PathBuf,
-    /// Tell for every visible object which lights reach it, and why
+    /// Tell for every visible object which lights reach it and its layers, and whose shadows, and
+    /// why
     #[arg(long)]
     matrix: bool,
+    /// The time in seconds, at which words of looks may be keyed
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    time: f64,
     /// Print JSON
     #[arg(long)]
     json: bool,
+}
+
+/// Number of shadows, of a light from an object onto another, that are told one by one.
+const MOST_SHADOWS: usize = 20_000;
+
+/// Relations of lights to objects, to nodes of their looks, and to shadows.
+struct LightMatrix {
+    reach: Vec<LightReach>,
+    layers: Vec<LayerReach>,
+    shadows: Vec<ShadowReach>,
+}
+
+impl LightMatrix {
+    fn new(setup: &Setup, arguments: &Arguments, output: &Output) -> Self {
+        let library = library_for(&arguments.document, None);
+        output.diagnostics(&library.problems);
+        let count = setup.all_lights().len() * setup.objects.len().pow(2);
+        if count > MOST_SHADOWS {
+            let message = format!(
+                "the {count} shadows of lights by objects onto objects are more than \
+                 {MOST_SHADOWS}: only those are told that do not fall"
+            );
+            output.diagnostics(&[Diagnostic::warning("too-many-shadows", message)]);
+        }
+        let is_told = |shadow: &ShadowReach| count <= MOST_SHADOWS || !shadow.falls;
+        Self {
+            reach: setup.light_reach(),
+            layers: setup.layer_reach(&library, arguments.time),
+            shadows: setup.shadow_reach().filter(is_told).take(MOST_SHADOWS).collect(),
+        }
+    }
+
+    /// Layers of an object that a light does not reach although it reaches the object.
+    fn dark_layers<'m>(&'m self, cell: &'m LightReach) -> impl Iterator<Item = &'m LayerReach> {
+        let is_of = |layer: &&LayerReach| {
+            layer.object == cell.object && layer.reach.light == cell.light && !layer.reach.reaches
+        };
+        let is_layer = |layer: &&LayerReach| layer.reach.relation == LightRelation::Layered;
+        self.layers.iter().filter(move |layer| cell.reaches && is_of(layer) && is_layer(layer))
+    }
 }
 
 /// A light with those who have it.
@@ -48,15 +97,17 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let setup = setup.value;
     output.diagnostics(&setup.light_warnings());
     let lights = owned_lights(&setup);
-    let reach = setup.light_reach();
+    let found = arguments.matrix.then(|| LightMatrix::new(&setup, arguments, output));
     if arguments.json {
         let mut told = json!({ "lights": lights.iter().map(light_json).collect::<Vec<_>>() });
-        if arguments.matrix {
+        if let Some(LightMatrix { reach, layers, shadows }) = &found {
             told["matrix"] = reach.iter().map(reach_json).collect();
+            told["layers"] = layers.iter().map(layer_json).collect();
+            told["shadows"] = shadows.iter().map(shadow_json).collect();
         }
         output.json(&told);
-    } else if arguments.matrix {
-        output.result(matrix(&lights, &reach).trim_end());
+    } else if let Some(found) = &found {
+        output.result(matrix(&lights, found).trim_end());
     } else {
         output.result(list(&lights).trim_end());
     }
@@ -92,6 +143,28 @@ fn reach_json(LightReach { object, light, reaches, words }: &LightReach) -> Json
     json!({ "object": object, "light": light, "reaches": reaches, "rule": words })
 }
 
+fn layer_json(LayerReach { object, look, reach }: &LayerReach) -> Json {
+    json!({
+        "object": object,
+        "look": look,
+        "node": reach.node.to_string(),
+        "light": reach.light,
+        "relation": reach.relation.fields()[0],
+        "reaches": reach.reaches,
+        "rule": reach.words,
+    })
+}
+
+fn shadow_json(shadow: &ShadowReach) -> Json {
+    json!({
+        "light": shadow.light,
+        "caster": shadow.caster,
+        "onto": shadow.onto,
+        "falls": shadow.falls,
+        "rule": shadow.words,
+    })
+}
+
 /// One light a line.
 fn list(lights: &[OwnedLight]) -> String {
     if lights.is_empty() {
@@ -120,7 +193,8 @@ fn list(lights: &[OwnedLight]) -> String {
 }
 
 /// A row an object and a column a light, then the rules behind what does not reach.
-fn matrix(lights: &[OwnedLight], reach: &[LightReach]) -> String {
+fn matrix(lights: &[OwnedLight], found: &LightMatrix) -> String {
+    let reach = &found.reach;
     let objects: Vec<&[LightReach]> = reach.chunk_by(|a, b| a.object == b.object).collect();
     let widest = objects.iter().map(|row| row[0].object.as_str().len()).max().unwrap_or_default();
     let mut text = format!("{:widest$}", "");
@@ -131,9 +205,10 @@ fn matrix(lights: &[OwnedLight], reach: &[LightReach]) -> String {
     for row in &objects {
         let _ = write!(text, "{:widest$}", row[0].object.as_str());
         for OwnedLight { id, .. } in lights {
-            let mark = match row.iter().find(|cell| cell.light == *id).map(|cell| cell.reaches) {
-                Some(true) => "x",
-                Some(false) => "-",
+            let mark = match row.iter().find(|cell| cell.light == *id) {
+                Some(cell) if found.dark_layers(cell).next().is_some() => "~",
+                Some(cell) if cell.reaches => "x",
+                Some(_) => "-",
                 None => "",
             };
             let _ = write!(text, "  {mark:^0$}", id.as_str().len());
@@ -141,12 +216,38 @@ fn matrix(lights: &[OwnedLight], reach: &[LightReach]) -> String {
         text = text.trim_end().to_owned() + "\n";
     }
     text += "\nx: it reaches the object; -: it does not; nothing: no look of the object has it\n";
-    let apart: Vec<&LightReach> = reach.iter().filter(|cell| !cell.reaches).collect();
-    if !apart.is_empty() {
+    if text.contains('~') {
+        text += "~: it reaches the object, and not all nodes that are about it\n";
+    }
+    let lines = exceptions(found);
+    if !lines.is_empty() {
         text.push('\n');
     }
-    for LightReach { object, light, words, .. } in apart {
+    text + &lines
+}
+
+/// A line for each light that does not reach a thing, does not pass through it, or casts no shadow
+/// onto it, with the rule.
+fn exceptions(found: &LightMatrix) -> String {
+    let mut text = String::new();
+    for LightReach { object, light, words, .. } in found.reach.iter().filter(|cell| !cell.reaches) {
         let _ = writeln!(text, "{light} does not reach {object}: {words}");
+    }
+    for LayerReach { object, reach, .. } in found.reach.iter().flat_map(|c| found.dark_layers(c)) {
+        let NodeReach { light, node, words, .. } = reach;
+        let _ = writeln!(text, "{light} does not reach {node} of {object}: {words}");
+    }
+    let is_passed = |layer: &&LayerReach| {
+        layer.reach.relation == LightRelation::Filtered && !layer.reach.reaches
+    };
+    for LayerReach { object, reach, .. } in found.layers.iter().filter(is_passed) {
+        let NodeReach { light, node, words, .. } = reach;
+        let _ = writeln!(text, "{light} passes by {node} of {object}: {words}");
+    }
+    for shadow in found.shadows.iter().filter(|shadow| shadow.is_by_link && !shadow.falls) {
+        let ShadowReach { light, caster, onto, words, .. } = shadow;
+        let onto = if caster == onto { "itself" } else { onto.as_str() };
+        let _ = writeln!(text, "{caster} casts no shadow of {light} onto {onto}: {words}");
     }
     text
 }

@@ -156,6 +156,7 @@ pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Set
             values: Default::default(),
             light_link: Default::default(),
             shadow_link: Default::default(),
+            layers: Default::default(),
         });
         setup.looks.push(look);
     }

@@ -746,3 +746,36 @@ fn a_group_runs_for_each_light_of_a_set_that_is_typed() {
     hand.undo();
     assert_eq!(set(&hand).as_deref(), Some("group:set"));
 }
+
+#[test]
+fn lights_that_reach_a_layer_and_pass_by_a_filter_are_typed() {
+    let mut hand = open(&json!({
+        "lights": {"key": {"groups": ["set"]}, "rim": {"direction": [-1, 0, -1]}},
+        "nodes": [{"id": "skin", "kind": "light_layer", "values": {"light": "rim"}},
+            {"id": "lamp", "kind": "light", "at": [0, 300]},
+            {"id": "glass", "kind": "light_filter", "at": [200, 300]},
+            {"id": "inside", "kind": "light_in_set", "at": [0, 600]},
+            {"id": "output", "kind": "output", "at": [300, 0]}],
+        "wires": [{"from": "skin", "to": "output.color"}, {"from": "lamp", "to": "glass.light"}]}));
+    let set = |hand: &mut User, node: &str, field: &str, text: &str| {
+        select(hand, &[node]);
+        hand.bring(accesskit::Role::TextInput, field);
+        set_text(hand, field, text);
+        hand.key(Key::Enter);
+        hand.settle();
+    };
+    set(&mut hand, "skin", "Reached by", "* - group:set");
+    set(&mut hand, "skin", "Not reached by", "rim");
+    set(&mut hand, "glass", "Filters lights", "key");
+    set(&mut hand, "inside", "Lights", "group:set");
+    let links = |hand: &User, node: &str| hand.look().graph.nodes[node].links.clone();
+    let skin = links(&hand, "skin");
+    assert_eq!((skin.layered.text(), skin.unlayered.text()), ("* - group:set", "rim"));
+    assert_eq!(links(&hand, "glass").filtered.text(), "key");
+    let value = hand.look().graph.nodes["inside"].values.get("lights").cloned();
+    assert_eq!(value, Some(Value::Text("group:set".to_owned())));
+    for _ in 0..4 {
+        hand.undo();
+    }
+    assert!(links(&hand, "skin").is_all() && links(&hand, "glass").is_all());
+}

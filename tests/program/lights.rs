@@ -74,6 +74,99 @@ fn the_matrix_tells_the_rule_that_decides() {
     assert_eq!(told["matrix"].as_array().unwrap().len(), 6);
 }
 
+/// A look whose back-light is kept from one layer, and whose key light passes by a filter.
+#[test]
+fn the_matrix_tells_layers_filters_and_shadows() {
+    let folder = tempfile::tempdir().unwrap();
+    let look = json!({"chiaro": "look", "version": 1, "name": "Drawn",
+        "lights": {"key": {"groups": ["set"]}, "back": {"direction": [0, 0, -1]}},
+        "definitions": {"tone": {
+            "outputs": [{"name": "angle"}],
+            "nodes": [{"id": "lamp", "kind": "light", "values": {"light": "key"}},
+                {"id": "angle", "kind": "parametrization"},
+                {"id": "glass", "kind": "light_filter", "filtered": "* - group:set"}],
+            "wires": [{"from": "lamp", "to": "angle.light"}, {"from": "lamp", "to": "glass.light"},
+                {"from": "angle", "to": "glass.angle"}, {"from": "glass.angle",
+                    "to": "outputs.angle"}]}},
+        "nodes": [
+            {"id": "wash", "kind": "light_layer", "values": {"light": "back"},
+                "unlayered": "back"},
+            {"id": "line", "kind": "light_layer", "values": {"light": "back"}},
+            {"id": "tone", "kind": "tone"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "wash", "to": "line.below"}, {"from": "line", "to": "output.color"}]});
+    let path = folder.path().join("drawn.json");
+    std::fs::write(&path, look.to_string()).unwrap();
+    let object = |id: &str, more: Json| {
+        let mut object = json!({"id": id, "mesh": "shape:ball", "looks": path});
+        object.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        object
+    };
+    let scene = json!({"chiaro": "scene", "version": 1, "objects": [
+        object("face", json!({})),
+        object("hair", json!({"unshadowed": "back", "no_shadows_on": "face | hair",
+            "unlinked": "back",
+            "layers": [{"node": "wash", "layered": "{source} | back"}]}))]});
+    let told = lights(&scene, &["--matrix"]);
+    let (text, said) = (String::from_utf8(told.stdout), String::from_utf8(told.stderr).unwrap());
+    assert!(told.status.success(), "{said}");
+    assert_eq!(
+        text.unwrap(),
+        "      key  back\n\
+         face   x    ~\n\
+         hair   x    -\n\
+         \n\
+         x: it reaches the object; -: it does not; nothing: no look of the object has it\n\
+         ~: it reaches the object, and not all nodes that are about it\n\
+         \n\
+         back does not reach hair: `unlinked` (`back`) has it\n\
+         back does not reach wash of face: `unlayered` (`back`) has it\n\
+         key passes by tone/glass of face: `filtered` (`* - group:set`) has it not\n\
+         key passes by tone/glass of hair: `filtered` (`* - group:set`) has it not\n\
+         hair casts no shadow of key onto face: `no_shadows_on` (`face | hair`) has it\n\
+         hair casts no shadow of key onto itself: `no_shadows_on` (`face | hair`) has it\n\
+         hair casts no shadow of back onto face: `unshadowed` (`back`) has it\n"
+    );
+    let told = lights(&scene, &["--matrix", "--json"]);
+    let told: Json = serde_json::from_slice(&told.stdout).unwrap();
+    let layers = told["layers"].as_array().unwrap();
+    assert!(layers.contains(&json!({"object": "face", "look": "Drawn", "node": "line",
+        "light": "back", "relation": "layered", "reaches": true,
+        "rule": "`layered` (`*`) has it"})));
+    // A lone light of a scene that reaches no object reaches no layer of it either.
+    let of_hair = |layer: &&Json| layer["object"] == "hair" && layer["light"] == "back";
+    let of_hair: Vec<&Json> = layers.iter().filter(of_hair).collect();
+    assert!(of_hair.len() == 2 && of_hair.iter().all(|layer| layer["reaches"] == false));
+    let shadows = told["shadows"].as_array().unwrap();
+    assert_eq!(shadows.len(), 2 * 2 * 2);
+    assert!(shadows.contains(&json!({"light": "key", "caster": "face", "onto": "hair",
+        "falls": true, "rule": "`shadowed` (`*`) has it"})));
+    assert!(shadows.contains(&json!({"light": "back", "caster": "face", "onto": "hair",
+        "falls": false,
+        "rule": "the light does not reach it: `unlinked` (`back`) has it"})));
+}
+
+#[test]
+fn what_lights_are_aimed_at_and_rows_of_nodes_name_is_told_where_it_is_missing() {
+    let mut scene = scene("*", "");
+    scene["lights"]["rim"]["aimed_at"] = json!("heroe");
+    scene["lights"]["bulb"] = json!({"type": "point", "aimed_at": "hero"});
+    scene["objects"][0]["layers"] = json!([{"node": "difuse", "layered": "kez"}]);
+    let told = lights(&scene, &["--matrix"]);
+    let said = String::from_utf8(told.stderr).unwrap();
+    assert!(told.status.success(), "{said}");
+    for words in [
+        "warning[unknown-object]: the light `rim` is aimed at the object `heroe`, which there is",
+        "did you mean `hero`?",
+        "(at lights.rim.aimed_at)",
+        "warning[idle-aim]: the point light `bulb` shines everywhere",
+        "warning[unknown-node]: `layers` of object `hero` names the node `difuse`, which none",
+        "did you mean `diffuse`?",
+        "warning[unknown-light]: `layers[0].layered` of object `hero` names the light `kez`",
+    ] {
+        assert!(said.contains(words), "{words}\n{said}");
+    }
+}
+
 #[test]
 fn a_link_that_names_nothing_is_warned_about() {
     let told = lights(&scene("kez | group:rimm | \"Key lihgt\"", ""), &["--matrix"]);

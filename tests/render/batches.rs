@@ -41,6 +41,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         values: Values::new(),
         light_link: Default::default(),
         shadow_link: Default::default(),
+        layers: Default::default(),
     }
 }
 

@@ -3,6 +3,7 @@
 
 use chiaro_test_drawing as support;
 
+mod aimed_lights;
 mod batches;
 mod casters;
 mod deferred;
@@ -10,6 +11,7 @@ mod depth_first;
 mod effects;
 mod grouping;
 mod links;
+mod layered_lights;
 mod long_graphs;
 mod looped_lights;
 mod mute;
@@ -19,5 +21,6 @@ mod probe;
 mod property_looks;
 mod prune;
 mod regions;
+mod scene_keys;
 mod shared_store;
 mod surfaces;

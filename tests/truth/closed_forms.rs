@@ -73,6 +73,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
         values: Default::default(),
         light_link: Default::default(),
         shadow_link: Default::default(),
+        layers: Default::default(),
     };
     let scene = Scene { camera, ..Scene::default() };
     let setup = Setup { scene, looks: vec![look], objects: vec![object], ..Setup::default() };

@@ -1248,6 +1248,9 @@ const ELSEWHERE: &[&str] = &[
     "mix_of_lights",
     "strongest_of_lights",
     "sum_of_lights",
+    // tests/render/layered_lights.rs
+    "light_in_set",
+    "light_number",
     // light_filters.rs
     "barn_doors",
     "blocker",

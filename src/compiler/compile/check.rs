@@ -77,6 +77,8 @@ pub struct TypedNode {
     pub choices: HashMap<usize, String>,
     /// The light that it names.
     pub light: Option<LightId>,
+    /// True if that light does not reach the node.
+    pub is_unlit: bool,
     /// The outermost group around the node, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
     /// The copy of the innermost region around the node that runs for each light.
@@ -283,6 +285,7 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         inputs: Vec::new(),
         choices: HashMap::new(),
         light: None,
+        is_unlit: false,
         region: None,
         copy: None,
     }
@@ -613,6 +616,7 @@ impl<'a> Typer<'a> {
             variant,
             inputs,
             choices,
+            is_unlit: light.as_ref().is_some_and(|light| flat.is_unlit_by(light)),
             light,
             region: flat.region.clone(),
             copy: flat.copy(),

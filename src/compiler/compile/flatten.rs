@@ -6,16 +6,18 @@
 //! over each of them once: what lies behind an input on the way is remembered.
 
 mod groups;
+mod links;
 mod regions;
 #[cfg(test)]
 mod tests;
 
 use std::cell::{Cell, RefCell};
 use std::collections::hash_map::Entry;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use self::groups::{GroupIndex, UsedGroups};
+use self::links::FilterNode;
 use self::regions::{Region, RegionPlace, without_lights};
 pub use self::regions::{RegionCopy, RegionIndex};
 
@@ -114,12 +116,19 @@ pub(super) struct FlatNode {
     pub region: Option<Arc<str>>,
     /// The place in the innermost region that runs for each light.
     place: Option<RegionPlace>,
+    /// Lights that reach the node; `None` for all.
+    lights: Option<Arc<BTreeSet<LightId>>>,
 }
 
 impl FlatNode {
     /// The light that the copy of the region is for; `None` outside of regions.
     pub(super) fn each_light(&self) -> Option<&LightId> {
         self.place.as_ref()?.light.as_ref()
+    }
+
+    /// True if a light does not reach the node.
+    pub(super) fn is_unlit_by(&self, light: &LightId) -> bool {
+        self.lights.as_ref().is_some_and(|lights| !lights.contains(light))
     }
 
     /// The copy of the innermost region that the node lies in.
@@ -202,6 +211,8 @@ struct Scope<'a> {
     parent: Option<(usize, &'a NodeId)>,
     /// The copy of the innermost region that runs for each light.
     copy: Option<RegionCopy>,
+    /// Lights that reach what is in it; `None` for all.
+    lights: Option<Arc<BTreeSet<LightId>>>,
     /// The scope whose values are those of this one, where it is a later copy.
     values: Option<usize>,
     slots: HashMap<&'a str, FlatSlot>,
@@ -221,6 +232,7 @@ impl<'a> Scope<'a> {
             tier,
             parent: None,
             copy: None,
+            lights: None,
             values: None,
             slots: HashMap::new(),
             wires: HashMap::new(),
@@ -240,6 +252,10 @@ struct Flattener<'a> {
     param_ids: HashMap<(usize, &'a str, PortName), ParamId>,
     groups: UsedGroups<'a>,
     regions: Vec<Region>,
+    /// Nodes that some lights pass by.
+    filters: Vec<FilterNode<'a>>,
+    /// Nodes that the light on its way through them passes by, by scope and id.
+    passed_by: HashSet<(usize, &'a str)>,
     /// The ports of muted groups, which let their inputs through.
     group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
     /// The ends behind inputs that lead on to others: those of reroutes and groups, and whatever
@@ -329,6 +345,8 @@ impl<'a> Flattener<'a> {
             param_ids: HashMap::new(),
             groups,
             regions: Vec::new(),
+            filters: Vec::new(),
+            passed_by: HashSet::new(),
             group_ports: RefCell::default(),
             ends: HashMap::new(),
             broken_kinds: broken_kinds(library),
@@ -342,6 +360,7 @@ impl<'a> Flattener<'a> {
     fn run(&mut self) {
         self.open_scopes();
         self.check_wires();
+        self.find_passed_by();
         self.bind_inputs();
         self.bind_group_outputs();
         self.check_regions();
@@ -450,6 +469,8 @@ impl<'a> Flattener<'a> {
         let is_known = |port: &str| inputs.contains_key(port);
         let unknown = self.unknown_values(node, &path, is_known, || port_names(&definition.inputs));
         self.problems.extend(unknown);
+        let lights = self.lights_reaching(scope, node, &path);
+        self.note_filter(scope, id, node, &path);
         let of_group = |name: String, copy: Option<RegionCopy>, path: &NodePath| Scope {
             group: Some(group),
             path: Some(path.clone()),
@@ -457,14 +478,17 @@ impl<'a> Flattener<'a> {
             parent: Some((scope, id)),
             copy,
             shared_name: shared_name.clone(),
+            lights: lights.clone(),
             ..Scope::of(&definition.graph, name, tier)
         };
         let around = self.scopes[scope].copy;
         let Some(set) = &node.for_each else {
             return FlatSlot::Group(self.push_scope(of_group(name, around, &path)));
         };
-        let lights = self.lights_of(set, &path);
-        let region = self.push_region(around.map(|copy| copy.region), lights);
+        let mut each = self.lights_of(set, &path);
+        // Lights that do not reach the group are no rounds of it.
+        each.retain(|id| lights.as_ref().is_none_or(|lights| lights.contains(id)));
+        let region = self.push_region(around.map(|copy| copy.region), each);
         let first = self.scopes.len();
         for copy in 0..self.copies(region) {
             let copy = RegionCopy { region, copy };
@@ -568,6 +592,9 @@ impl<'a> Flattener<'a> {
         let inputs = Vec::new();
         let is_named = !node.name.is_empty();
         let place = self.place_of(scope);
+        let lights = self.lights_reaching(scope, node, &path);
+        self.note_filter(scope, id, node, &path);
+        self.check_layered(scope, node, &def, &path);
         let flat = FlatNode {
             path,
             name,
@@ -579,6 +606,7 @@ impl<'a> Flattener<'a> {
             inputs,
             region,
             place,
+            lights,
         };
         self.flat.nodes.push(flat);
         self.origins.push((scope, id, node));
@@ -843,9 +871,9 @@ impl<'a> Flattener<'a> {
                     }
                     let output = def.output(from.port.as_str())?;
                     let (_, id, document_node) = self.origins[*node];
-                    if document_node.muted
+                    if let Some(neutral) = self.left_out(scope, id, document_node)
                         && let Some(source) =
-                            self.muted(&def.inputs, &def.outputs[output], scope, id)
+                            self.muted(&def.inputs, &def.outputs[output], (scope, id), neutral)
                     {
                         return Some(source);
                     }
@@ -871,14 +899,14 @@ impl<'a> Flattener<'a> {
                     let port =
                         if from.port.as_str().is_empty() { first } else { from.port.as_str() };
                     let (id, node) = here.graph.nodes.get_key_value(from.node.as_str())?;
-                    if node.muted {
+                    if let Some(neutral) = self.left_out(scope, id, node) {
                         let ports = self.ports_of(group.kind, definition);
                         let output = definition
                             .outputs
                             .iter()
                             .position(|output| output.name.as_str() == port)?;
                         if let Some(source) =
-                            self.muted(&ports.inputs, &ports.outputs[output], scope, id)
+                            self.muted(&ports.inputs, &ports.outputs[output], (scope, id), neutral)
                         {
                             return Some(source);
                         }
@@ -902,22 +930,32 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// The stand-in for an output of a muted node: the input of the same name, else the first that
-    /// could be its value, else a zero. Lights and angles have no zero, so the node that makes one
-    /// stays.
+    /// The number that a node gives where it is left out and nothing can be let through: 0 if it is
+    /// muted, and 1, which takes nothing away, if it is a filter that the light passes by. `None`
+    /// for a node that is there.
+    fn left_out(&self, scope: usize, id: &NodeId, node: &Node) -> Option<f64> {
+        if node.muted {
+            return Some(0.0);
+        }
+        self.passed_by.contains(&(scope, id.as_str())).then_some(1.0)
+    }
+
+    /// The stand-in for an output of a node that is left out: the input of the same name, else the
+    /// first that could be its value, else the `neutral` number. Lights and angles have none, so
+    /// the node that makes one stays.
     fn muted(
         &self,
         inputs: &[Input],
         output: &Output,
-        scope: usize,
-        id: &'a NodeId,
+        (scope, id): (usize, &'a NodeId),
+        neutral: f64,
     ) -> Option<WireSource<'a>> {
         let Some(mut input) = let_through(inputs, output) else {
             return Some(WireSource::Nothing {
                 scope,
                 id,
                 port: output.name.clone(),
-                zero: zero_of(&output.ty)?,
+                zero: stand_in_of(&output.ty, neutral)?,
             });
         };
         // An input that is the same as another is followed to it, each at most once.
@@ -1020,9 +1058,9 @@ enum WireSource<'a> {
 /// True if a muted node with these ports has a substitute for each of its outputs: an input that is
 /// let through, or a zero.
 pub fn can_be_muted(inputs: &[Input], outputs: &[Output]) -> bool {
-    outputs
-        .iter()
-        .all(|output| let_through(inputs, output).is_some() || zero_of(&output.ty).is_some())
+    outputs.iter().all(|output| {
+        let_through(inputs, output).is_some() || stand_in_of(&output.ty, 0.0).is_some()
+    })
 }
 
 /// The input that a muted node lets through to an output.
@@ -1034,12 +1072,12 @@ fn let_through<'i>(inputs: &'i [Input], output: &Output) -> Option<&'i Input> {
     same.or_else(|| inputs.iter().find(is_subject))
 }
 
-/// A zero that whatever takes the type takes too; as a color it is opaque.
-fn zero_of(ty: &Type) -> Option<Value> {
+/// A value of one number that whatever takes the type takes too; as a color it is opaque.
+fn stand_in_of(ty: &Type, number: f64) -> Option<Value> {
     Some(match ty {
-        Type::Float | Type::Int | Type::Vec2 | Type::Vec3 | Type::Color => Value::Number(0.0),
-        Type::Bool => Value::Bool(false),
-        Type::Vec4 | Type::Composite => Value::Vector(vec![0.0; ty.width()?]),
+        Type::Float | Type::Int | Type::Vec2 | Type::Vec3 | Type::Color => Value::Number(number),
+        Type::Bool => Value::Bool(number > 0.0),
+        Type::Vec4 | Type::Composite => Value::Vector(vec![number; ty.width()?]),
         _ => return None,
     })
 }

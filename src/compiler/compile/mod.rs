@@ -15,6 +15,7 @@ mod intervals;
 mod items;
 mod layout;
 mod names;
+mod reach;
 mod removal;
 mod specialize;
 mod tiers;
@@ -42,6 +43,7 @@ pub use host::{
 };
 pub use host_source::{HostSource, HostStep};
 pub use layout::{StructLayout, ValueLayout};
+pub use reach::{NodeReach, node_reach};
 pub use removal::{Proof, Removal};
 use specialize::LightLoop;
 pub use specialize::{ImageShape, ImageUse, Needs};

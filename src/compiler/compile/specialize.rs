@@ -388,6 +388,11 @@ impl<'a> Builder<'a> {
 
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
+        if self.graph.nodes[index].is_unlit
+            && let Some(number) = context.light_input().and_then(LightInput::unlit)
+        {
+            return self.constant(index, ty, interp::Value::Float(number));
+        }
         if let (Some(LightInput::Field(field)), Some(id)) = (context.light_input(), &light)
             && self.options.dark.contains(&(id.clone(), field))
         {
@@ -418,7 +423,7 @@ impl<'a> Builder<'a> {
     fn mark_dark(&mut self, node: &TypedNode, result: ValueId) {
         let (Treatment::Light, Some(light)) = (node.def.special, &node.light) else { return };
         // The last number of whatever tells of a light is what arrives of its intensity.
-        if self.options.dark.contains(&(light.clone(), LightField::Intensity))
+        if self.is_dark(node, light)
             && let Some(ranges) = &self.values[result].ranges
         {
             let mut ranges = ranges.to_vec();
@@ -429,11 +434,16 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// True if nothing of a light arrives at a node.
+    fn is_dark(&self, node: &TypedNode, light: &LightId) -> bool {
+        node.is_unlit || self.options.dark.contains(&(light.clone(), LightField::Intensity))
+    }
+
     /// The outputs of a node that joins lights as the lights before have left them, where its own
     /// light reaches nothing.
     fn before_dark(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<Vec<ValueId>> {
         let light = node.light.as_ref().filter(|_| node.def.joins_lights())?;
-        if !self.options.dark.contains(&(light.clone(), LightField::Intensity)) {
+        if !self.is_dark(node, light) {
             return None;
         }
         node.def.outputs.iter().map(|output| before(node, output, inputs)).collect()

@@ -7,7 +7,8 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use super::{
-    Camera, Definition, Endpoint, Graph, Light, LightField, Look, OutputPort, Scene, Target, Wire,
+    Camera, Definition, Endpoint, Graph, Light, LightField, LightKind, Look, OutputPort, Scene,
+    Target, Wire,
 };
 use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
@@ -39,6 +40,11 @@ impl Scene {
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         check.lights(&self.lights);
+        check.scene_keys(self);
+        for (index, object) in self.objects.values().enumerate() {
+            let path = |row| format!("objects[{index}].layers[{row}].node");
+            check.unique(object.layers.iter().map(|row| &row.node), path, "row");
+        }
         check.camera(&self.camera);
         if self.time.end < self.time.start {
             let problem = Diagnostic::error("out-of-range", "the time range ends before it starts");
@@ -70,6 +76,8 @@ struct Check {
     found: Vec<Diagnostic>,
     suggestions: usize,
     left_out: usize,
+    /// True for keys of a scene, which has no nodes.
+    is_scene: bool,
 }
 
 impl Check {
@@ -105,6 +113,16 @@ impl Check {
 
     fn lights(&mut self, lights: &indexmap::IndexMap<LightId, Light>) {
         for (id, light) in lights {
+            if light.kind == LightKind::Point && light.aimed_at.is_some() {
+                let message = format!(
+                    "the point light `{id}` shines everywhere, so that aiming it does nothing"
+                );
+                let problem = Diagnostic::warning("idle-aim", message);
+                self.push(
+                    format!("lights.{id}.aimed_at"),
+                    problem.hint("make it a spot or a directional light, or leave `aimed_at` out"),
+                );
+            }
             for field in LightField::ALL {
                 let Some(around) = field.within() else { continue };
                 let mut pairs = field.numbers(light).iter().zip(around.numbers(light));
@@ -118,6 +136,16 @@ impl Check {
                 let problem = Diagnostic::error("out-of-range", message).hint(hint);
                 self.push(format!("lights.{id}.{name}"), problem);
             }
+        }
+    }
+
+    /// Keys of a scene move its lights alone.
+    fn scene_keys(&mut self, scene: &Scene) {
+        if let Some(keyed) = scene.keyed_lights() {
+            self.is_scene = true;
+            self.direction_keys(&keyed);
+            self.time_keys(&keyed);
+            self.is_scene = false;
         }
     }
 
@@ -375,6 +403,14 @@ impl Check {
     }
 
     fn node_at(&mut self, look: &Look, node: &NodePath, path: String) {
+        if self.is_scene {
+            let message = format!("a scene has no nodes, and so no `{node}`: its keys move lights");
+            let problem = Diagnostic::error("bad-target", message);
+            let hint = "write a field of a light of the scene, such as `lights.key.intensity`; \
+                        wires and inputs are keyed in their look";
+            self.push(path, problem.hint(hint));
+            return;
+        }
         let mut graph = &look.graph;
         for (depth, id) in node.ids().iter().enumerate() {
             let Some(found) = graph.nodes.get(id) else {

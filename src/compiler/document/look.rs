@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::{AUTOMATIC_OR_TIER, described};
-use super::light::{Light, LightField};
+use super::light::{Light, LightField, NodeLinks};
 use super::set::LightSet;
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};
@@ -13,6 +13,9 @@ use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, Objec
 
 /// Greatest difference that nobody can see: a step of a screen's 8-bit channel.
 pub const MAX_ERROR: f64 = 1.0 / 255.0;
+
+/// Kind of the node that asks whether a light is one of a set.
+pub const LIGHT_IN_SET: &str = "light_in_set";
 
 /// Kind of positions on the canvas.
 const CANVAS: FieldKind = FieldKind::Numbers(2, 2, NumberBounds::new(-1e9, 1e9));
@@ -94,11 +97,15 @@ pub enum ColorSpace {
 }
 
 impl Look {
-    /// True if a group of the look runs once for each light of a set.
-    pub fn runs_for_lights(&self) -> bool {
+    /// True if the look names lights by sets: a group runs once for each light of one, some lights
+    /// do not reach a node or do not pass through it, or a node asks whether a light is of one.
+    pub fn names_light_sets(&self) -> bool {
         let inner = self.definitions.values().map(|definition| &definition.graph);
         let mut graphs = std::iter::once(&self.graph).chain(inner);
-        graphs.any(|graph| graph.nodes.values().any(|node| node.for_each.is_some()))
+        let names = |node: &Node| {
+            node.for_each.is_some() || !node.links.is_all() || node.kind == LIGHT_IN_SET
+        };
+        graphs.any(|graph| graph.nodes.values().any(names))
     }
 }
 
@@ -150,6 +157,8 @@ described! {
         /// Lights that a group runs for, once for each: a light that no node in it names is that
         /// one.
         for_each: Option<LightSet> = None, FieldKind::LightSet, words "once, for no light";
+        /// Lights that reach the node, and that pass through it.
+        ..links: NodeLinks;
         /// True if the node is left out: inputs go out as they are.
         muted: bool = false, FieldKind::Bool;
         /// True if the canvas shows no more than the node's title.

@@ -43,9 +43,10 @@ pub use hcbtf::{
 };
 pub use image::JournalDocument;
 pub use light::{
-    GroupMaster, Light, LightField, LightFrames, LightInput, LightKind, LightLink, LightOut,
-    LightQuantity, LightSpace, LightValues, LinkRule, MAX_EXPOSURE, MAX_INTENSITY, MAX_LIGHT_COLOR,
-    MIN_LIGHT_DISTANCE, ObjectFrame, ShadowLink,
+    AimPlaces, GroupMaster, LayerLink, Light, LightField, LightFrames, LightInput, LightKind,
+    LightLink, LightOut, LightQuantity, LightRelation, LightSpace, LightValues, LinkRule,
+    MAX_EXPOSURE, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, NodeLinks, ObjectFrame,
+    ShadowLink,
 };
 pub use look::*;
 pub use read::Document;

@@ -4,7 +4,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::light::{GroupMaster, Light, LightLink, ShadowLink};
+use super::light::{GroupMaster, LayerLink, Light, LightLink, ShadowLink};
+use super::look::{DirectionKeys, Look, TimeKeys};
 use super::set::{LightSet, ObjectSet};
 use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::value::Values;
@@ -40,6 +41,13 @@ described! {
         /// Lights that shine alone, muted or not; where none of the lights is one of these, all
         /// shine that are not muted.
         soloed: LightSet = LightSet::none(), FieldKind::LightSet;
+        /// Values of the scene's lights that change with a direction or with drivers, for each
+        /// object that is lit; they stand over those that looks give to the lights.
+        direction_keys: Vec<DirectionKeys> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(DirectionKeys::shape), 1000);
+        /// Values of the scene's lights that change with time.
+        time_keys: Vec<TimeKeys> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(TimeKeys::shape), 10_000);
         /// The rotation of the illumination frame: world from illumination frame.
         illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Camera of the picture.
@@ -50,6 +58,19 @@ described! {
         /// Range of times.
         time: TimeRange = TimeRange::default(), FieldKind::Object(TimeRange::shape);
         unknown;
+    }
+}
+
+impl Scene {
+    /// A look of nothing but the scene's lights and their keys; `None` where there are no keys.
+    pub fn keyed_lights(&self) -> Option<Look> {
+        let has_keys = !self.direction_keys.is_empty() || !self.time_keys.is_empty();
+        has_keys.then(|| Look {
+            lights: self.lights.clone(),
+            direction_keys: self.direction_keys.clone(),
+            time_keys: self.time_keys.clone(),
+            ..Look::default()
+        })
     }
 }
 
@@ -80,6 +101,9 @@ described! {
         shadows_on: ObjectSet = ObjectSet::all(), FieldKind::ObjectSet;
         /// Objects that they do not fall on all the same; `{source}` are those of `shadows_on`.
         no_shadows_on: ObjectSet = ObjectSet::none(), FieldKind::ObjectSet;
+        /// Lights of single nodes of the object's looks: which reach them, and which they filter.
+        layers: Vec<LayerLink> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(LayerLink::shape), 1000);
         /// True if the object is drawn.
         visible: bool = true, FieldKind::Bool;
         unknown;

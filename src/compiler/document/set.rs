@@ -228,6 +228,11 @@ impl<M> MemberSet<M> {
         Self::new(String::new(), Vec::new())
     }
 
+    /// The set of what was there before.
+    pub fn source() -> Self {
+        Self::new(SOURCE.to_owned(), vec![SetStep::Term(SetTerm::Source)])
+    }
+
     /// True if the set has no members, whichever there are: it says nothing.
     pub fn is_none(&self) -> bool {
         self.steps.is_empty()
@@ -272,6 +277,35 @@ impl<M: SetMember> MemberSet<M> {
             open.push(found);
         }
         open.pop().unwrap_or_default()
+    }
+
+    /// The set with another in the place of `{source}`.
+    #[must_use]
+    pub fn with_source(&self, source: &Self) -> Self {
+        if !self.steps.contains(&SetStep::Term(SetTerm::Source)) {
+            return self.clone();
+        }
+        let inner = match source.text.trim() {
+            "" => "(* - *)".to_owned(),
+            text if source.steps.len() == 1 => text.to_owned(),
+            text => format!("({text})"),
+        };
+        // Names stand between quotes, and stay as they are.
+        let part = |(index, part): (usize, &str)| {
+            if index % 2 == 0 { part.replace(SOURCE, &inner) } else { part.to_owned() }
+        };
+        let text = self.text.split('"').enumerate().map(part).collect::<Vec<_>>().join("\"");
+        Self::parse(&text).unwrap_or_else(|_| self.clone())
+    }
+
+    /// The set without the members of another.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        if self.is_none() || other.is_none() {
+            return self.clone();
+        }
+        let text = format!("({}) - ({})", self.text.trim(), other.text.trim());
+        Self::parse(&text).unwrap_or_else(|_| self.clone())
     }
 
     /// The set with the members of a term, too.
@@ -691,6 +725,20 @@ mod tests {
             let source = BTreeSet::from(["eye".into(), "key".into()]);
             let set = LightSet::parse(&text).unwrap();
             prop_assert_eq!(set.of(&lights(), &source), members);
+        }
+
+        #[test]
+        fn a_set_in_the_place_of_its_source_is_what_it_was(
+            (outer, _) in expressions(),
+            (inner, members) in expressions(),
+            name in prop::sample::select(vec!["", " | \"{source}\""]),
+        ) {
+            let [outer, inner] = [outer + name, inner].map(|text| LightSet::parse(&text).unwrap());
+            let source = BTreeSet::from(["eye".into(), "key".into()]);
+            let both = outer.with_source(&inner);
+            prop_assert_eq!(both.of(&lights(), &source), outer.of(&lights(), &members));
+            let less = outer.minus(&inner).of(&lights(), &source);
+            prop_assert_eq!(less, &outer.of(&lights(), &source) - &members);
         }
 
         #[test]

@@ -114,6 +114,10 @@ pub enum LightFeed {
     Index,
     /// Number of all of them.
     Count,
+    /// Number that belongs to the light by its id, in any group or none.
+    Number,
+    /// 1 if the light is of the set that another input says, in any group or none; 0 if not.
+    Member(PortName),
 }
 
 /// Value of an input that is unwired and has no value of its own.

@@ -343,11 +343,12 @@ impl Reader<'_> {
                         input.hidden = true;
                         true
                     }
-                    "reach" | "index" | "count" => {
+                    "reach" | "index" | "count" | "number" => {
                         input.hidden = true;
                         input.light_feed = Some(match word.as_str() {
                             "reach" => LightFeed::Reach,
                             "index" => LightFeed::Index,
+                            "number" => LightFeed::Number,
                             _ => LightFeed::Count,
                         });
                         true
@@ -757,6 +758,10 @@ fn set_attribute(input: &mut Input, key: &str, value: &str) -> bool {
         "before" => {
             input.hidden = true;
             input.light_feed = Some(LightFeed::Before(value.into()));
+        }
+        "member" => {
+            input.hidden = true;
+            input.light_feed = Some(LightFeed::Member(value.into()));
         }
         "same" => input.fallback = Fallback::Same(value.into()),
         "min" | "max" => {

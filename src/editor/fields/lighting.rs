@@ -133,13 +133,14 @@ impl<'s> OwnedLight<'s> {
         }
         let differs = |field: &LightField| field.get(old) != field.get(new);
         let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
-        let is_about = |light: &Light| (light.kind, light.space, light.groups.clone());
+        let is_about =
+            |light: &Light| (light.kind, light.space, light.groups.clone(), light.aimed_at.clone());
         if is_about(new) == is_about(old) && !fields.is_empty() {
             let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
             return Change::Look(session.keys().set_all_at(values));
         }
-        let (kind, space, groups) = is_about(new);
-        self.set(Light { kind, space, groups, ..self.light.clone() })
+        let (kind, space, groups, aimed_at) = is_about(new);
+        self.set(Light { kind, space, groups, aimed_at, ..self.light.clone() })
     }
 
     /// Replaces the light.

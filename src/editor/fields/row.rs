@@ -8,13 +8,14 @@ use super::keyed;
 use super::marks::{self, FieldTarget};
 use crate::catalog::Port;
 use crate::commands::{Command, PaintCommand, PanelId};
-use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
+use crate::document::{ColorSpace, Edit, Endpoint, Grid, LightSet, Node, Value, Wire};
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
-use crate::library::{Fallback, Type};
+use crate::library::{CUSTOM_CODE, Fallback, Type};
 use crate::state::keying::KeyedBy;
 use crate::values;
+use crate::widgets::text::formed;
 use crate::widgets::theme;
 use crate::widgets::{color, curve, ramp};
 
@@ -99,7 +100,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
         let own = subject.node.values.get(&port.name);
         let shown = keyed.as_ref().or(own);
         match port.ty {
-            Type::Text => code(ui, subject, port, shown, out),
+            Type::Text if port.name.as_str() == CUSTOM_CODE => code(ui, subject, port, shown, out),
             Type::Curve => wide(ui, subject, port, shown, out, curve::show),
             Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
             _ => {
@@ -319,8 +320,23 @@ fn widget(
     match &port.ty {
         _ if value.is_none() => unset(ui, subject, port),
         Type::LightName => light_name(ui, label, subject, value),
+        Type::Text => light_set(ui, label, value),
         _ => plain(ui, label, port, value, subject.session.look().color_space),
     }
+}
+
+/// Shows a set of lights as a text that is one.
+fn light_set(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
+    let text = match value {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    };
+    let read = |text: &str| match LightSet::parse(text) {
+        Ok(_) => Ok(text.to_owned()),
+        Err(why) => Err(why.to_string()),
+    };
+    let (widget, text) = formed(ui, label, &text, String::clone, read)?;
+    Some((widget, Value::Text(text)))
 }
 
 /// Shows the widget of a type that needs no node; `space` is the color space of a color's numbers.

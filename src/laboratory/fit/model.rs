@@ -5,7 +5,7 @@
 //! step then runs only the host's programs in f64 and the fragment shader of these pixels: it gives
 //! exactly the picture's own numbers, at a thousandth of its cost.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
@@ -18,9 +18,10 @@ use super::state::KnobSetting;
 use super::target::PixelGoal;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
-use crate::document::{Light, ObjectFrame, Values};
+use crate::document::{AimPlaces, Light, ObjectFrame, Values};
 use crate::frame::{
-    Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, Setup, Wires,
+    Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, SceneRig, Setup,
+    Wires,
 };
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
@@ -66,6 +67,8 @@ pub(super) struct Model {
     rig: Rig,
     lights: IndexMap<LightId, Light>,
     scene_lights: IndexMap<LightId, Light>,
+    scene_rig: Option<Arc<SceneRig>>,
+    aims: Arc<AimPlaces>,
     illumination: DQuat,
     time: [f64; 2],
     /// The gathered pixels that can be compared: those of draws that wear the look, and not at the
@@ -142,6 +145,8 @@ impl Model {
         let places: Vec<usize> = (0..gathered.seen.len()).filter(wears).collect();
         let pixels = places.iter().map(|&index| gathered.seen[index].pixel).collect();
         let illumination = DQuat::from_array(setup.scene.illumination).normalize();
+        let scene_rig = SceneRig::of(&setup.scene, None);
+        let aims = setup.aims();
         let scene_lights = setup.scene.lights;
         Ok(Self {
             gathered,
@@ -150,6 +155,8 @@ impl Model {
             rig,
             lights,
             scene_lights,
+            scene_rig,
+            aims,
             illumination,
             time,
             pixels,
@@ -245,6 +252,7 @@ impl Model {
         }
         lights.extend(self.scene_lights.iter().map(|(id, light)| (id.clone(), light.clone())));
         let (number, center) = part.object;
+        let none = HashMap::new();
         let inputs = RigInputs {
             time: self.time[0],
             illumination: self.illumination,
@@ -257,10 +265,15 @@ impl Model {
             near: &part.near,
             exposed: &part.exposed,
             lights: &lights,
+            scene_values: &none,
+            aims: &self.aims,
             viewport: plan.size.map(f64::from),
             frame: self.time[1],
             object_id: number as f64,
         };
+        let scene_values =
+            self.scene_rig.as_ref().map(|rig| rig.values(&inputs)).unwrap_or_default();
+        let inputs = RigInputs { scene_values: &scene_values, ..inputs };
         let params: &[Param] = &part.shader.params;
         let mut values =
             self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &inputs)?;

@@ -1,15 +1,17 @@
 //! Links between lights and objects, in a scene with everything that it names.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use indexmap::IndexMap;
 
 use super::mix::LightMix;
 use super::setup::{Setup, SetupObject};
+use crate::compile::{NodeReach, node_reach};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LinkRule, MemberSet, SetMember};
+use crate::document::{Light, LightRelation, LinkRule, MemberSet, SetMember};
 use crate::ids::{LightId, ObjectId};
+use crate::library::Library;
 
 /// A light and an object, and whether the one reaches the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +26,108 @@ pub struct LightReach {
     pub words: String,
 }
 
+/// A light and a node of a look that an object wears, and whether the one reaches the other, or is
+/// filtered by it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerReach {
+    /// The object.
+    pub object: ObjectId,
+    /// Name of the look.
+    pub look: String,
+    /// What is told of the node and the light.
+    pub reach: NodeReach,
+}
+
+/// A light and two objects, and whether the shadow that the one casts of it falls on the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShadowReach {
+    /// The light.
+    pub light: LightId,
+    /// The object that casts the shadow.
+    pub caster: ObjectId,
+    /// The object that it falls on, or not.
+    pub onto: ObjectId,
+    /// True if it falls there, where a look asks for shadows.
+    pub falls: bool,
+    /// True if links of shadows decide, and not that the light is dark there or the caster unseen.
+    pub is_by_link: bool,
+    /// The rule that decides, in words, with its expression.
+    pub words: String,
+}
+
 impl Setup {
+    /// Every visible object with the nodes of its looks that are about lights, at a time in
+    /// seconds.
+    pub fn layer_reach(&self, library: &Library, time: f64) -> Vec<LayerReach> {
+        let (reach, mut found) = (self.light_reach(), Vec::new());
+        for object in &self.objects {
+            let dark = reach.iter().filter(|cell| cell.object == object.id && !cell.reaches);
+            let dark: HashMap<&LightId, &str> =
+                dark.map(|cell| (&cell.light, cell.words.as_str())).collect();
+            for look in object.worn_looks().collect::<BTreeSet<usize>>() {
+                let worn = self.worn(look, object, time);
+                for mut reach in node_reach(&worn, library) {
+                    if let Some(words) = dark.get(&reach.light) {
+                        if reach.relation == LightRelation::Filtered {
+                            continue;
+                        }
+                        reach.reaches = false;
+                        reach.words = (*words).to_owned();
+                    }
+                    let (object, look) = (object.id.clone(), worn.name.clone());
+                    found.push(LayerReach { object, look, reach });
+                }
+            }
+        }
+        found
+    }
+
+    /// Every light with every pair of visible objects, of which one may cast its shadow onto the
+    /// other or onto itself.
+    pub fn shadow_reach(&self) -> impl Iterator<Item = ShadowReach> + '_ {
+        let lights = self.all_lights();
+        let dark: HashMap<(ObjectId, LightId), String> = self
+            .light_reach()
+            .into_iter()
+            .filter(|cell| !cell.reaches)
+            .map(|cell| ((cell.object, cell.light), cell.words))
+            .collect();
+        self.objects.iter().flat_map(move |caster| {
+            let link = &caster.shadow_link;
+            let of_lights = link.light_link().rules(&lights);
+            let of_objects = link.rules_of_objects(&self.scene.objects);
+            let wears_look = caster.worn_looks().next().is_some();
+            let mut found = Vec::new();
+            for (light, rule) in &of_lights {
+                for onto in &self.objects {
+                    let of_object = of_objects.get(&onto.id).copied();
+                    let of_object = of_object.unwrap_or(LinkRule::Linked);
+                    let unlit = dark.get(&(onto.id.clone(), light.clone()));
+                    let (is_by_link, words) = if !wears_look {
+                        (false, "it wears no look".to_owned())
+                    } else if let Some(words) = unlit {
+                        (false, format!("the light does not reach it: {words}"))
+                    } else if *rule != LinkRule::Linked || of_object == LinkRule::Linked {
+                        (true, link.light_link().words(LightRelation::Shadowed, *rule))
+                    } else {
+                        (true, link.words_of_object(of_object))
+                    };
+                    found.push(ShadowReach {
+                        light: light.clone(),
+                        caster: caster.id.clone(),
+                        onto: onto.id.clone(),
+                        falls: is_by_link
+                            && *rule == LinkRule::Linked
+                            && of_object == LinkRule::Linked,
+                        is_by_link,
+                        words,
+                    });
+                }
+            }
+            found
+        })
+    }
+
     /// All lights that an object's links may name: the scene's, then those of the object's looks.
     fn lights_about(&self, object: &SetupObject) -> IndexMap<LightId, Light> {
         self.lights_with(object.worn_looks().collect::<BTreeSet<usize>>())
@@ -46,7 +149,7 @@ impl Setup {
     /// shine alone.
     pub fn light_warnings(&self) -> Vec<Diagnostic> {
         let links = self.objects.iter().flat_map(|object| idle_links(self, object));
-        self.mix_warnings().into_iter().chain(links).collect()
+        self.mix_warnings().into_iter().chain(self.aim_warnings()).chain(links).collect()
     }
 
     /// Every visible object with every light that it is about, by object.
@@ -57,7 +160,8 @@ impl Setup {
             let link = &object.light_link;
             for (light, rule) in link.rules(&self.lights_about(object)) {
                 let out = mix.out().get(&light).filter(|_| rule == LinkRule::Linked);
-                let words = out.map_or_else(|| link.words(rule), |why| why.clone().into_owned());
+                let of_link = || link.words(LightRelation::Linked, rule);
+                let words = out.map_or_else(of_link, |why| why.clone().into_owned());
                 let reaches = rule == LinkRule::Linked && out.is_none();
                 found.push(LightReach { object: object.id.clone(), light, reaches, words });
             }
@@ -91,7 +195,8 @@ pub(super) fn unlinked_lights(
     let rules = link.rules(&setup.lights_about(object)).into_iter();
     let unlinked = rules.filter(|(_, rule)| *rule != LinkRule::Linked);
     let words = |rule| {
-        format!("it does not reach the objects that wear the look: their {}", link.words(rule))
+        let why = link.words(LightRelation::Linked, rule);
+        format!("it does not reach the objects that wear the look: their {why}")
     };
     unlinked.map(|(id, rule)| (id, words(rule).into())).collect()
 }
@@ -99,7 +204,7 @@ pub(super) fn unlinked_lights(
 /// Warnings of links that name a light, a group or an object which there is not.
 pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic> {
     let (link, shadow) = (&object.light_link, &object.shadow_link);
-    if link.is_all() && shadow.is_all() {
+    if link.is_all() && shadow.is_all() && object.layers.is_empty() {
         return Vec::new();
     }
     let index = setup.scene.objects.get_index_of(&object.id).unwrap_or_default();
@@ -122,7 +227,19 @@ pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic>
     let idle_objects = of_objects
         .into_iter()
         .flat_map(|(field, set)| idle_terms(setup, &place(field), set, objects));
-    idle_lights.chain(idle_objects).collect()
+    let of_layers = object.layers.iter().enumerate().flat_map(|(row, layer)| {
+        let sets = [
+            ("layered", &layer.layered),
+            ("unlayered", &layer.unlayered),
+            ("filtered", &layer.filtered),
+            ("unfiltered", &layer.unfiltered),
+        ];
+        sets.map(|(field, set)| (format!("layers[{row}].{field}"), set))
+    });
+    let idle_layers =
+        of_layers.flat_map(|(field, set)| idle_terms(setup, &place(&field), set, &own));
+    let unknown = setup.layer_warnings(object);
+    idle_lights.chain(idle_objects).chain(idle_layers).chain(unknown).collect()
 }
 
 /// Warnings of a set's terms that name none of all members. `place` is whose set it is, and where

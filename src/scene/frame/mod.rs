@@ -6,6 +6,7 @@
 //! while a live node of a visible object needs it; parts that are left out are listed with the
 //! reason.
 
+mod aims;
 mod assets;
 mod camera;
 mod casters;
@@ -17,6 +18,7 @@ mod effects;
 mod executor;
 mod handover;
 mod keys;
+mod layers;
 mod links;
 mod mix;
 mod nearest;
@@ -56,10 +58,10 @@ pub use executor::{Executor, PictureFuture};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
-    KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, Wires, at_time, driver_value,
+    KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, SceneRig, Wires, at_time, driver_value,
     is_direction, light_field, set_light_field, structural_look,
 };
-pub use links::LightReach;
+pub use links::{LayerReach, LightReach, ShadowReach};
 pub use mix::SOLOED;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};

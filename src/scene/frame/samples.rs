@@ -368,6 +368,7 @@ impl<'a> Packer<'a> {
             }
         }
         let lights = sample_lights(sample, own_lights);
+        let (scene_values, aims) = Default::default();
         let inputs = RigInputs {
             time: sample.time,
             illumination: sample.frame,
@@ -380,6 +381,8 @@ impl<'a> Packer<'a> {
             near: &sample.near,
             exposed: &sample.values,
             lights: &lights,
+            scene_values: &scene_values,
+            aims: &aims,
             viewport: [1.0, 1.0],
             frame: (sample.time * 24.0).round(),
             object_id: 0.0,

@@ -11,7 +11,7 @@ use super::assets::Assets;
 use super::store::AssetStore;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{
-    Document, LightLink, Look, Object, Scene, ShadowLink, SourceMap, Transform, Values,
+    Document, LayerLink, LightLink, Look, Object, Scene, ShadowLink, SourceMap, Transform, Values,
 };
 use crate::files::Files;
 use crate::geometry::Mesh;
@@ -49,6 +49,8 @@ pub struct SetupObject {
     pub light_link: LightLink,
     /// Shadows that the object casts.
     pub shadow_link: ShadowLink,
+    /// Lights of single nodes of the looks.
+    pub layers: Vec<LayerLink>,
 }
 
 impl SetupObject {
@@ -197,6 +199,7 @@ pub fn default_setup(
         values: Values::new(),
         light_link: LightLink::default(),
         shadow_link: ShadowLink::default(),
+        layers: Vec::new(),
     };
     let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
     Ok(WithWarnings::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
@@ -303,6 +306,7 @@ pub fn place_objects(
             values: object.values.clone(),
             light_link: object.light_link(),
             shadow_link: object.shadow_link(),
+            layers: object.layers.clone(),
         });
         material_problems(
             id,

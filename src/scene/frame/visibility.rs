@@ -16,7 +16,9 @@ use super::camera::View;
 use super::coverage::clip_corners;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{Light, LightField, LightFrames, LightKind, Look, ObjectFrame, Target};
+use crate::document::{
+    AimPlaces, Light, LightField, LightFrames, LightKind, Look, ObjectFrame, Target,
+};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
@@ -119,18 +121,21 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
 /// look's, and `unlit` ones do not reach the object. Of the others those that keys or exposed
 /// parameters move are never dark.
 pub(super) fn dark_lights(
-    setup: &Setup,
+    (setup, aims): (&Setup, &Arc<AimPlaces>),
     look: &Look,
     lights: &IndexMap<LightId, Light>,
     (placed, object): (&ObjectPlacement, &SetupObject),
     view: &View,
     unlit: &IndexMap<LightId, Cow<'static, str>>,
 ) -> Vec<((LightId, LightField), Cow<'static, str>)> {
-    let moved = moved_lights(look);
+    let mut moved = moved_lights(look);
+    let keyed = setup.scene.keyed_lights();
+    moved.extend(keyed.iter().flat_map(moved_lights));
     let frames = LightFrames {
         illumination: DQuat::from_array(setup.scene.illumination).normalize(),
         camera_from_world: view.rotation(),
         object: ObjectFrame::new(placed.center, object.world_from_object),
+        aims: aims.clone(),
     };
     let mut dark = Vec::new();
     for (id, own) in &look.lights {

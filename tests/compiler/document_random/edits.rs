@@ -1,6 +1,6 @@
 //! Random edits can be undone and redone, and keep a valid document valid.
 
-use chiaro_compiler::document::{Edit, Editable, GraphId, History, Look, SceneEdit};
+use chiaro_compiler::document::{Edit, Editable, GraphId, History, Look, Scene, SceneEdit};
 use chiaro_language::diag::Diagnostic;
 use chiaro_language::ids::NodeId;
 use proptest::prelude::*;
@@ -47,6 +47,7 @@ impl Random {
                 let for_each = self.chance(2).then(|| self.light_set());
                 Edit::SetForEach { graph, id, for_each }
             }
+            29 if self.chance(3) => Edit::SetNodeLinks { graph, id, links: self.node_links() },
             29 => Edit::SetMuted { graph, id, muted: self.chance(2) },
             30 => Edit::SetCollapsed { graph, id, collapsed: self.chance(2) },
             31 => Edit::AddNote {
@@ -234,7 +235,12 @@ proptest! {
                     index: Some(0),
                 },
                 9 => SceneEdit::SetMutedLights { muted: random.light_set() },
-                10 => SceneEdit::SetSoloedLights { soloed: random.light_set() },
+                10 => {
+                    let Scene { direction_keys, time_keys, .. } = random.scene();
+                    SceneEdit::SetLightKeys { direction_keys, time_keys }
+                }
+                11 => SceneEdit::RemoveLight { id: random.slug().into() },
+                12 => SceneEdit::SetSoloedLights { soloed: random.light_set() },
                 _ => SceneEdit::Group {
                     edits: vec![
                         SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }

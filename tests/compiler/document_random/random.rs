@@ -3,9 +3,9 @@
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
-    Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node, Note, Object,
-    ObjectSet, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange,
-    Transform, UnknownFields, Value, Values, Wire,
+    LayerLink, Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node,
+    NodeLinks, Note, Object, ObjectSet, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey,
+    TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -195,6 +195,9 @@ impl Random {
             space: self.choose(&[LightSpace::Illumination, LightSpace::World, LightSpace::Camera]),
             ..Light::default()
         };
+        if light.kind != LightKind::Point && self.chance(3) {
+            light.aimed_at = Some(self.slug().into());
+        }
         for field in LightField::ALL {
             let numbers = match (field.range(), field.quantity()) {
                 (Some([least, most]), _) => {
@@ -229,6 +232,7 @@ impl Random {
             values: self.values(),
             tier: self.choose(&[None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)]),
             for_each: self.chance(5).then(|| self.light_set()),
+            links: self.node_links(),
             muted: self.chance(5),
             collapsed: self.chance(5),
             unknown: self.unknown(),
@@ -473,6 +477,31 @@ impl Random {
         }
     }
 
+    pub(crate) fn node_links(&mut self) -> NodeLinks {
+        if self.chance(5) {
+            return NodeLinks::default();
+        }
+        NodeLinks {
+            layered: self.light_set(),
+            unlayered: self.light_set(),
+            filtered: self.light_set(),
+            unfiltered: self.light_set(),
+        }
+    }
+
+    fn layers(&mut self) -> Vec<LayerLink> {
+        let row = |r: &mut Self| LayerLink {
+            layered: r.light_set(),
+            unlayered: r.light_set(),
+            filtered: r.light_set(),
+            unfiltered: r.light_set(),
+            ..LayerLink::new(r.slug().into())
+        };
+        let mut rows: Vec<LayerLink> = (0..self.below(3)).map(|_| row(self)).collect();
+        rows.dedup_by(|a, b| a.node == b.node);
+        rows
+    }
+
     pub(crate) fn light_set(&mut self) -> LightSet {
         let texts = ["*", "", " key|rim-2 - group:set", "\"Key \\ light\" & ({source})"];
         LightSet::parse(self.choose(&texts)).expect("a set of lights")
@@ -502,6 +531,7 @@ impl Random {
             unshadowed: self.light_set(),
             shadows_on: self.object_set(),
             no_shadows_on: self.object_set(),
+            layers: self.layers(),
             visible: self.chance(5),
             unknown: self.unknown(),
         };
@@ -538,12 +568,20 @@ impl Random {
             light_groups: (0..self.below(3)).map(|_| (self.slug().into(), self.master())).collect(),
             muted: self.light_set(),
             soloed: self.light_set(),
+            direction_keys: Vec::new(),
+            time_keys: Vec::new(),
             illumination: self.rotation(),
             camera: self.camera(),
             backdrop: self.chance(7).then(|| self.numbers(1.0)),
             time: self.time(),
             unknown: self.unknown(),
         };
+        let lit = Look { lights: scene.lights.clone(), ..Look::default() };
+        for _ in 0..self.below(3) {
+            scene.direction_keys.push(self.direction_keys(&lit));
+            scene.time_keys.extend(self.time_keys(&lit));
+        }
+        scene.time_keys.dedup_by(|a, b| a.target == b.target);
         let mut unknown = std::mem::take(&mut scene.unknown);
         self.shadows(&mut unknown, "lights", scene.lights.keys().map(ToString::to_string));
         for part in ["camera", "time"] {

@@ -143,6 +143,9 @@ impl<'a> Flattener<'a> {
     /// The source of an input that is fed where its node runs for each light.
     pub(super) fn fed(&mut self, index: usize, input: &Input) -> Option<FlatInput> {
         let feed = input.light_feed.as_ref()?;
+        if matches!(feed, LightFeed::Number | LightFeed::Member(_)) {
+            return self.fed_by_name(index, feed);
+        }
         let (scope, id, _) = self.origins[index];
         let at @ RegionCopy { region, copy } = self.scopes[scope].copy?;
         Some(match feed {
@@ -161,6 +164,7 @@ impl<'a> Flattener<'a> {
                 let output = self.flat.nodes[node].def.output("intensity")?;
                 FlatInput::Wire { node, output }
             }
+            LightFeed::Number | LightFeed::Member(_) => return None,
         })
     }
 
@@ -175,6 +179,8 @@ impl<'a> Flattener<'a> {
             name,
             shared_name: Some("light".to_owned()),
             is_named: false,
+            // Who asks may be reached by fewer lights than others that ask.
+            lights: None,
             ..self.flat.nodes[asking].clone()
         };
         let [arriving, parts] =

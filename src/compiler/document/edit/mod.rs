@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Bookmark, ColorSpace, Definition, DirectionKeys, ExposedValue, Frame, GraphId, InterfacePort,
-    Light, LightSet, Look, Node, Note, Tier, TimeKeys, Value, Wire,
+    Light, LightSet, Look, Node, NodeLinks, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -72,6 +72,8 @@ pub enum Edit {
     SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
     /// Lets a group run once for each light of a set; `None` for once, for no light.
     SetForEach { graph: GraphId, id: NodeId, for_each: Option<LightSet> },
+    /// Sets the lights that reach a node and that pass through it.
+    SetNodeLinks { graph: GraphId, id: NodeId, links: NodeLinks },
     /// Mutes a node, or takes it in again.
     SetMuted { graph: GraphId, id: NodeId, muted: bool },
     /// Collapses a node to its title, or expands it.
@@ -164,6 +166,7 @@ impl Edit {
             Self::SetName { id, .. } => format!("rename {id}"),
             Self::SetKind { id, .. } => format!("change the kind of {id}"),
             Self::SetTier { id, .. } => format!("change the tier of {id}"),
+            Self::SetNodeLinks { id, .. } => format!("link lights and {id}"),
             Self::SetForEach { id, .. } => format!("change the lights of {id}"),
             Self::SetMuted { id, muted: true, .. } => format!("mute {id}"),
             Self::SetMuted { id, .. } => format!("unmute {id}"),
@@ -300,6 +303,10 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
         Edit::SetForEach { graph, id, for_each } => {
             let slot = &mut graph::node_mut(look, &graph, &id)?.for_each;
             Ok(Edit::SetForEach { graph, id, for_each: std::mem::replace(slot, for_each) })
+        }
+        Edit::SetNodeLinks { graph, id, links } => {
+            let slot = &mut graph::node_mut(look, &graph, &id)?.links;
+            Ok(Edit::SetNodeLinks { graph, id, links: std::mem::replace(slot, links) })
         }
         Edit::SetMuted { graph, id, muted } => {
             let muted = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.muted, muted);

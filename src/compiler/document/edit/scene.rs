@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::{insert, remove_named};
 use super::{EditResult, Editable, all_or_none, missing, trial};
-use crate::document::{Camera, GroupMaster, Light, LightSet, Object, Scene, TimeRange};
+use crate::document::{
+    Camera, DirectionKeys, GroupMaster, Light, LightSet, Object, Scene, Target, TimeKeys, TimeRange,
+};
 use crate::ids::{LightGroup, LightId, ObjectId};
 
 /// Edit of a scene.
@@ -32,8 +34,10 @@ pub enum SceneEdit {
     AddLight { id: LightId, light: Light, index: Option<usize> },
     /// Changes a light.
     SetLight { id: LightId, light: Light },
-    /// Removes a light.
+    /// Removes a light with its keys.
     RemoveLight { id: LightId },
+    /// Sets the keys of the scene's lights.
+    SetLightKeys { direction_keys: Vec<DirectionKeys>, time_keys: Vec<TimeKeys> },
     /// Sets the master of a group of lights; `None` for none.
     SetMaster { group: LightGroup, master: Option<GroupMaster>, index: Option<usize> },
     /// Sets the lights that are out.
@@ -57,6 +61,20 @@ impl Scene {
     /// A diagnostic where the edit is impossible; the scene is then as it was.
     pub fn apply(&mut self, edit: SceneEdit) -> EditResult<SceneEdit> {
         self.edit(edit, false)
+    }
+
+    /// The edit of the keys that leaves none of a light; `None` where it has none.
+    fn keys_without(&self, id: &LightId) -> Option<SceneEdit> {
+        let is_of = |target: &Target| matches!(target, Target::Light { light, .. } if light == id);
+        let mut direction_keys = self.direction_keys.clone();
+        direction_keys.retain(|keys| !keys.by.lights().contains(&id));
+        for key in direction_keys.iter_mut().flat_map(|keys| &mut keys.keys) {
+            key.values.retain(|target, _| !is_of(target));
+        }
+        let mut time_keys = self.time_keys.clone();
+        time_keys.retain(|track| !is_of(&track.target));
+        let is_same = direction_keys == self.direction_keys && time_keys == self.time_keys;
+        (!is_same).then_some(SceneEdit::SetLightKeys { direction_keys, time_keys })
     }
 }
 
@@ -102,9 +120,17 @@ impl Editable for Scene {
                 SceneEdit::SetLight { light: replace(old, light), id }
             }
             SceneEdit::RemoveLight { id } => {
+                if let Some(keys) = self.keys_without(&id) {
+                    let edits = vec![keys, SceneEdit::RemoveLight { id }];
+                    return Ok(SceneEdit::Group { edits: all_or_none(self, edits, true)? });
+                }
                 let (index, light) = remove_named(&mut self.lights, "light", &id)?;
                 SceneEdit::AddLight { id, light, index: Some(index) }
             }
+            SceneEdit::SetLightKeys { direction_keys, time_keys } => SceneEdit::SetLightKeys {
+                direction_keys: replace(&mut self.direction_keys, direction_keys),
+                time_keys: replace(&mut self.time_keys, time_keys),
+            },
             SceneEdit::SetMaster { group, master, index } => {
                 let old = self.light_groups.shift_remove_full(&group);
                 let (at, old) = old.map(|(at, _, old)| (at, old)).unzip();
@@ -150,6 +176,7 @@ impl Editable for Scene {
             SceneEdit::AddLight { id, .. } => format!("add the light {id}"),
             SceneEdit::SetLight { id, .. } => format!("change the light {id}"),
             SceneEdit::RemoveLight { id } => format!("remove the light {id}"),
+            SceneEdit::SetLightKeys { .. } => "key the lights".to_owned(),
             SceneEdit::SetMaster { group, .. } => format!("mix the lights of {group}"),
             SceneEdit::SetMutedLights { .. } => "mute lights".to_owned(),
             SceneEdit::SetSoloedLights { .. } => "solo lights".to_owned(),
@@ -171,7 +198,8 @@ impl Editable for Scene {
             (SceneEdit::SetMaster { group: a, .. }, SceneEdit::SetMaster { group: b, .. }) => {
                 a == b
             }
-            (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
+            (SceneEdit::SetLightKeys { .. }, SceneEdit::SetLightKeys { .. })
+            | (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
             | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
             | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })
             | (SceneEdit::SetTime { .. }, SceneEdit::SetTime { .. }) => true,

@@ -94,6 +94,21 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
             slug(id.as_str())?;
             trial.lights.insert(id.clone(), light.clone());
         }
+        SceneEdit::SetLightKeys { direction_keys, time_keys } => {
+            let of_keys = direction_keys.iter().flat_map(|keys| &keys.keys);
+            let mut targets = of_keys
+                .flat_map(|key| key.values.keys())
+                .chain(time_keys.iter().map(|track| &track.target));
+            if targets.any(|target| target.light_field().is_none())
+                || direction_keys.iter().any(|keys| keys.by.outputs().next().is_some())
+            {
+                return Err(impossible("the keys of a scene move fields of its lights alone"));
+            }
+            return readable_alone(|look| {
+                look.direction_keys.clone_from(direction_keys);
+                look.time_keys.clone_from(time_keys);
+            });
+        }
         SceneEdit::SetIllumination { rotation } => {
             let length = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
             let is_unit = (length - 1.0).abs() < 1e-6;

@@ -25,8 +25,8 @@ pub struct DissolvedGroup {
 /// removed too.
 ///
 /// # Errors
-/// A diagnostic where there is no such node, or where it is muted or runs for each light: it then
-/// gives another result than the nodes in it.
+/// A diagnostic where there is no such node, or where it is muted, runs for each light or has
+/// lights of its own: it then gives another result than the nodes in it.
 pub fn dissolve(
     look: &Look,
     graph: &GraphId,
@@ -45,6 +45,12 @@ pub fn dissolve(
             "the group `{id}` runs for each light, so it is not what is in it once"
         ));
         return Err(Box::new(problem.hint("clear *For each light* first")));
+    }
+    if !node.links.is_all() {
+        let problem = impossible(format!(
+            "the group `{id}` has lights of its own, so it is not what is in it under all lights"
+        ));
+        return Err(Box::new(problem.hint("clear *Reached by*, *Filters lights* and their exceptions first")));
     }
     let opened = GroupContents { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();

@@ -203,7 +203,7 @@ mod tests {
             let is_number = matches!(wanted, Value::Number(_));
             assert_eq!(field.range().is_some(), is_number, "{}", field.name());
         }
-        let told = ["name", "type", "groups", "space"];
+        let told = ["name", "type", "groups", "space", "aimed_at"];
         let of_files =
             Light::shape().fields().map(|field| field.name).filter(|name| !told.contains(name));
         let (mut of_files, mut of_table): (Vec<_>, Vec<_>) =

@@ -32,6 +32,8 @@ struct InputRow {
 struct ComputedRow {
     input: InputRow,
     value: fn(&LightValues) -> Value,
+    /// Value where the light does not reach; `None` where that makes no difference.
+    unlit: Option<f64>,
 }
 
 /// Table of the inputs that are computed from several fields.
@@ -45,6 +47,7 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: true,
         },
         value: |light| Value::vec(&light.own_direction.to_array()),
+        unlit: None,
     },
     ComputedRow {
         input: InputRow {
@@ -55,6 +58,7 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: true,
         },
         value: |light| Value::matrix(&light.own_from_world.to_cols_array_2d()),
+        unlit: None,
     },
     ComputedRow {
         input: InputRow {
@@ -66,6 +70,7 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: true,
         },
         value: |light| Value::vec(&light.cone),
+        unlit: None,
     },
     ComputedRow {
         input: InputRow {
@@ -76,6 +81,7 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: false,
         },
         value: |light| Value::vec(&[light.world.half_distance, light.world.range]),
+        unlit: None,
     },
     ComputedRow {
         input: InputRow {
@@ -93,6 +99,7 @@ const COMPUTED: &[ComputedRow] = &[
             };
             Value::vec(&at.extend(w).to_array())
         },
+        unlit: None,
     },
     ComputedRow {
         input: InputRow {
@@ -105,6 +112,7 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: false,
         },
         value: |light| Value::Float(light.casters),
+        unlit: Some(LightValues::NO_CASTERS),
     },
 ];
 
@@ -144,6 +152,16 @@ impl LightInput {
                 numbers => Value::vec(numbers),
             },
             Self::Computed(ComputedInput(index)) => (COMPUTED[usize::from(index)].value)(light),
+        }
+    }
+
+    /// Value of the input where the light does not reach: no intensity, and no shadows; `None` for
+    /// an input that is what it is all the same.
+    pub fn unlit(self) -> Option<f64> {
+        match self {
+            Self::Field(LightField::Intensity) => Some(0.0),
+            Self::Field(_) => None,
+            Self::Computed(ComputedInput(index)) => COMPUTED[usize::from(index)].unlit,
         }
     }
 

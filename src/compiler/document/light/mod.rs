@@ -7,6 +7,7 @@
 
 mod field;
 mod input;
+mod layer;
 mod link;
 mod master;
 mod mix;
@@ -17,18 +18,20 @@ use serde::{Deserialize, Serialize};
 use super::described::described;
 use super::shape::{FAR, FieldKind, LINE, NumberBounds, POSITIVE};
 use super::word::WordChoice as _;
-use crate::ids::{LightGroup, LightId};
+use crate::ids::{LightGroup, LightId, ObjectId};
 use LightKind::{Directional, Point, Spot};
 use LightQuantity::{Angle, Color, Direction, Distance, Factor, Position};
 use field::{FieldAccess, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
-pub use link::{LightLink, LinkRule, ShadowLink};
+pub use layer::{LayerLink, NodeLinks};
+pub use link::{LightLink, LightRelation, LinkRule, ShadowLink};
 pub use master::{GroupMaster, MAX_EXPOSURE};
 pub use mix::LightOut;
 pub use values::{
-    LightFrames, LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE, ObjectFrame,
+    AimPlaces, LightFrames, LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE,
+    ObjectFrame,
 };
 
 const ANY: &[LightKind] = &[Directional, Point, Spot];
@@ -61,6 +64,10 @@ macro_rules! light_fields {
                 groups: Vec<LightGroup> = Vec::new(), FieldKind::List(&FieldKind::Slug, 64);
                 /// The frame of `direction`, `position` and `aim`.
                 space: LightSpace = LightSpace::Illumination, FieldKind::Word(LightSpace::WORDS);
+                /// Object that the light is aimed at: from `position` toward the middle of the
+                /// object's box, in place of `aim` and `direction`.
+                #[serde(skip_serializing_if = "Option::is_none")]
+                aimed_at: Option<ObjectId> = None, FieldKind::Slug, words "none";
                 $($(#[doc = $help])+ $field: $ty = $default, $kind $(, by $codec)?;)*
             }
         }
@@ -111,7 +118,8 @@ light_fields! {
         shader: Some("unit, toward a directional light, world space"),
     }
 
-    /// Point and spot lights: where it is, in scene units.
+    /// Point and spot lights, and directional ones that are aimed at an object: where it is, in
+    /// scene units.
     Position position: [f64; 3] = [0.0, 0.0, 3.0], FieldKind::Numbers(3, 3, FAR);
     {
         label: "Position",
@@ -190,6 +198,37 @@ light_fields! {
 }
 
 impl Light {
+    /// True if a field decides what the light does: one of its kind has it, and nothing that the
+    /// light is aimed at stands in for it.
+    pub fn has(&self, field: LightField) -> bool {
+        match (field, self.kind, &self.aimed_at) {
+            (LightField::Position, LightKind::Directional, Some(_)) => true,
+            (LightField::Direction, LightKind::Directional, Some(_))
+            | (LightField::Aim, LightKind::Spot, Some(_)) => false,
+            _ => field.is_of(self.kind),
+        }
+    }
+
+    /// Fields that decide what the light does, in the order of the window.
+    pub fn fields(&self) -> impl Iterator<Item = LightField> {
+        LightField::ALL.into_iter().filter(|field| self.has(*field))
+    }
+
+    /// Number that belongs to a light by its id, from 0 to 1 without it: it stays when other lights
+    /// come and go (docs/math.md 6.6).
+    pub fn number_of(id: &LightId) -> f64 {
+        let mut hash = 0x811c_9dc5_u32;
+        for byte in id.as_str().bytes() {
+            hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+        }
+        // Ids that differ in their last letter alone are to be far apart.
+        hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
+        hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
+        hash ^= hash >> 16;
+        // An f32 holds 24 bits.
+        f64::from(hash >> 8) / f64::from(1_u32 << 24)
+    }
+
     /// Name that people read: the artist's, or the id.
     pub fn display_name<'l>(&'l self, id: &'l LightId) -> &'l str {
         if self.name.is_empty() { id.as_str() } else { &self.name }

@@ -1,8 +1,12 @@
 //! Lights as shaders take them: in world space, and within bounds that an f32 holds.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+use indexmap::IndexMap;
 
 use super::{Light, LightField, LightKind, LightQuantity, LightSpace};
+use crate::ids::ObjectId;
 
 /// The greatest intensity: finite in f32, whatever a file says.
 pub const MAX_INTENSITY: f64 = 1e30;
@@ -60,8 +64,11 @@ impl ObjectFrame {
     }
 }
 
-/// Frames that lights are given in.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Places of objects that lights are aimed at, in world space.
+pub type AimPlaces = IndexMap<ObjectId, DVec3>;
+
+/// Frames that lights are given in, and the places that they are aimed at.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LightFrames {
     /// Rotation from the illumination frame to world space.
     pub illumination: DQuat,
@@ -69,6 +76,8 @@ pub struct LightFrames {
     pub camera_from_world: DMat3,
     /// The object that is lit.
     pub object: ObjectFrame,
+    /// Places of objects that lights are aimed at.
+    pub aims: Arc<AimPlaces>,
 }
 
 impl LightFrames {
@@ -94,7 +103,7 @@ impl LightValues {
         for field in LightField::ALL {
             resolve(field.quantity(), field.numbers_mut(&mut world), (world_from_own, origin));
         }
-        Self {
+        let mut values = Self {
             own_direction: unit(&light.direction),
             own_from_world: world_from_own.transpose(),
             own_origin: origin,
@@ -102,6 +111,21 @@ impl LightValues {
             kind: light.kind,
             world,
             casters: Self::NO_CASTERS,
+        };
+        if let Some(place) = light.aimed_at.as_ref().and_then(|id| frames.aims.get(id)) {
+            values.aim_at(*place);
+        }
+        values
+    }
+
+    /// Turns the light from its position toward `place`, in world space. A point light shines
+    /// everywhere; a light at the place itself stays as it is.
+    fn aim_at(&mut self, place: DVec3) {
+        let Some(aim) = (place - self.position()).try_normalize() else { return };
+        match self.kind {
+            LightKind::Directional => self.shine_from(-aim),
+            LightKind::Spot => self.world.aim = aim.into(),
+            LightKind::Point => {}
         }
     }
 

@@ -5,9 +5,9 @@ mod interface;
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::catalog::NodeKind;
+use crate::catalog::{NodeKind, Port};
 use crate::commands::{Command, PanelId};
-use crate::document::{ColorSpace, Edit, LightSet, Look, Target, Tier, Value};
+use crate::document::{ColorSpace, Edit, LightSet, Look, NodeLinks, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::{InspectedNode, marks, row};
 use crate::ids::LightId;
@@ -112,6 +112,7 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
         });
     }
     for_each_row(ui, subject, out);
+    link_rows(ui, subject, out);
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
     let path = session.selection.path_of(id);
@@ -225,6 +226,74 @@ fn for_each_row(
             out.push(Command::EditHeld(widget, edit));
         }
     });
+}
+
+/// Row for a set of the lights of a node.
+struct LinkRow {
+    label: &'static str,
+    help: &'static str,
+    set: fn(&mut NodeLinks) -> &mut LightSet,
+}
+
+const REACH: [LinkRow; 2] = [
+    LinkRow {
+        label: "Reached by",
+        help: "Lights that reach it, and what is in it; {source} are those that reach the group \
+               around it. * is every light; key | group:rim - group:set says more",
+        set: |links| &mut links.layered,
+    },
+    LinkRow {
+        label: "Not reached by",
+        help: "Lights that do not reach it all the same; {source} is Reached by",
+        set: |links| &mut links.unlayered,
+    },
+];
+
+const FILTER: [LinkRow; 2] = [
+    LinkRow {
+        label: "Filters lights",
+        help: "Lights that it filters; others pass as if it were not there. * is every light; \
+               key | group:rim - group:set says more",
+        set: |links| &mut links.filtered,
+    },
+    LinkRow {
+        label: "Lets pass by",
+        help: "Lights that it does not filter all the same; {source} is Filters lights",
+        set: |links| &mut links.unfiltered,
+    },
+];
+
+/// Rows for the lights that reach a node which names one or runs for several, and for those that a
+/// node filters.
+fn link_rows(
+    ui: &mut Ui,
+    InspectedNode { session, id, node, kind }: &InspectedNode<'_>,
+    out: &mut Vec<Command>,
+) {
+    let links = &node.links;
+    let names_light = kind.inputs.iter().any(|port| port.ty == Type::LightName);
+    let is_lit = names_light || node.for_each.is_some() || !links.layered_link().is_all();
+    let is_both =
+        |is_it: fn(&Port) -> bool| kind.inputs.iter().any(is_it) && kind.outputs.iter().any(is_it);
+    let is_filter = is_both(|port| port.ty == Type::Light)
+        || is_both(|port| port.name.as_str() == "share")
+        || !links.filtered_link().is_all();
+    let rows = is_lit.then_some(REACH).into_iter().chain(is_filter.then_some(FILTER)).flatten();
+    let mut now = links.clone();
+    for LinkRow { label, help, set } in rows {
+        let shown = set(&mut now).clone();
+        row::labelled(ui, label, help, |ui, label| {
+            let read = |text: &str| LightSet::parse(text).map_err(|why| why.to_string());
+            let found = formed(ui, label, &shown, |set| set.text().to_owned(), read);
+            if let Some((widget, changed)) = found {
+                let mut links = links.clone();
+                *set(&mut links) = changed;
+                let graph = session.selection.graph_id().clone();
+                let edit = Edit::SetNodeLinks { graph, id: (*id).clone(), links };
+                out.push(Command::EditHeld(widget, edit));
+            }
+        });
+    }
 }
 
 fn tier_row(

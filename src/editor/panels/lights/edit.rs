@@ -10,7 +10,7 @@ use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, L
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
-use crate::ids::{LightGroup, is_slug, make_slug};
+use crate::ids::{LightGroup, ObjectId, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::reading::spoken;
 use crate::state::session::Session;
@@ -24,6 +24,10 @@ const BALL: f32 = 84.0;
 const LEAST_ABOVE: f64 = 1e-3;
 /// Largest factor on a slider; larger ones can be typed.
 const MOST_BY_SLIDER: f64 = 4.0;
+/// Text for a light that is aimed at no object.
+const NOTHING: &str = "Nothing";
+const AIM_HELP: &str = "An object that it shines at from its position, wherever either goes. \
+                        Point lights shine everywhere";
 /// Text for a distance of 0.
 const OFF: &str = "Off";
 
@@ -46,7 +50,11 @@ pub(crate) fn edit(
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
             widget = widget.or(space(ui, label, &mut new));
         });
-        for field in LightField::of(new.kind) {
+        labelled(ui, "Aim at", AIM_HELP, |ui, label| {
+            widget = widget.or(aimed_at(ui, label, session, &mut new));
+        });
+        let fields: Vec<LightField> = new.fields().collect();
+        for field in fields {
             // Keys and parameters belong to the look, and so do their marks.
             let is_own = owned_light.owner == Owner::Look;
             let ty = Type::of_light_field(field);
@@ -212,6 +220,22 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
         });
     let id = combo.response.labelled_by(label).id;
     (light.space != before).then_some(id)
+}
+
+/// Shows the object that a light is aimed at, among those of the scene.
+fn aimed_at(ui: &mut Ui, label: Id, session: &Session, light: &mut Light) -> Option<Id> {
+    let name = |id: Option<&ObjectId>| id.map_or(NOTHING, ObjectId::as_str).to_owned();
+    let before = light.aimed_at.clone();
+    let combo =
+        ComboBox::from_id_salt("aim").selected_text(name(before.as_ref())).show_ui(ui, |ui| {
+            ui.selectable_value(&mut light.aimed_at, None, NOTHING);
+            let objects = session.open_scene().into_iter().flat_map(|open| &open.scene().objects);
+            for (id, _) in objects {
+                ui.selectable_value(&mut light.aimed_at, Some(id.clone()), id.as_str());
+            }
+        });
+    let id = combo.response.labelled_by(label).id;
+    (light.aimed_at != before).then_some(id)
 }
 
 fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {

@@ -11,16 +11,17 @@ mod follow;
 pub(crate) use drivers::said;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use crate::compile::{CompiledShader, TypedGraph};
 use crate::document::{
-    DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightValues, Object, ObjectFrame,
-    Scene, Target, Value, Values,
+    AimPlaces, DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightValues, Object,
+    ObjectFrame, Scene, Target, Value, Values,
 };
-use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
+use crate::frame::{KeyedValues, Rig, RigInputs, SceneRig, Wires};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
@@ -36,6 +37,9 @@ pub(crate) struct KeyEvaluation {
     /// The object that the values hold for.
     own: Option<ObjectId>,
     rig: Option<Rig>,
+    /// Keys of the scene's lights, and the values that they give.
+    scene_rig: Option<Arc<SceneRig>>,
+    scene_values: HashMap<Target, Value>,
     now: KeyedValues,
     /// By set of keys: the key at which values are set while none is selected.
     pub(crate) followed: Vec<usize>,
@@ -97,12 +101,32 @@ impl<'a> KeyedLook<'a> {
             self.base.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
         let wires = shader(sets_values).map(Wires::of);
+        let scene_rig = self.scene.and_then(|open_scene| {
+            SceneRig::of(open_scene.scene(), self.evaluation.scene_rig.as_ref())
+        });
+        let scene_values = scene_rig.as_ref().map(|rig| {
+            self.at_this_moment(|moment| {
+                rig.values(&RigInputs { scene_values: &HashMap::new(), ..*moment })
+            })
+        });
+        let scene_values = scene_values.unwrap_or_default();
         // Code that runs without end is reported by the compiler and the picture.
         let now = self
-            .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
+            .at_this_moment(|moment| {
+                let moment = RigInputs { scene_values: &scene_values, ..*moment };
+                rig.keyed_values(&base, wires, &moment)
+            })
             .unwrap_or_default();
         let followed = self.evaluation.followed.clone();
-        Some(KeyEvaluation { stamp: Some(stamp), own, rig: Some(rig), now, followed })
+        Some(KeyEvaluation {
+            stamp: Some(stamp),
+            own,
+            rig: Some(rig),
+            scene_rig,
+            scene_values,
+            now,
+            followed,
+        })
     }
 
     /// The light of an id in the picture of the look: a scene's light stands in place of the
@@ -149,6 +173,7 @@ impl<'a> KeyedLook<'a> {
         let near =
             others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
         let (none, no_values) = (IndexMap::new(), Values::new());
+        let frames = self.light_frames();
         ask(&RigInputs {
             time: self.view.time,
             illumination: self.view.orbit.illumination,
@@ -157,10 +182,12 @@ impl<'a> KeyedLook<'a> {
             center: DVec3::ZERO,
             distance: eye_of(&self.view.orbit).distance(own_place),
             front,
-            turn: self.light_frames().object.turn,
+            turn: frames.object.turn,
             near: &near,
             exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
+            scene_values: &self.evaluation.scene_values,
+            aims: &frames.aims,
             // No wire is asked here that depends on the picture's size.
             viewport: [1.0; 2],
             frame: (self.view.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
@@ -179,7 +206,17 @@ impl<'a> KeyedLook<'a> {
             illumination: self.view.orbit.illumination,
             camera_from_world: camera_from_world(&self.view.orbit),
             object,
+            aims: Arc::new(self.aims()),
         }
+    }
+
+    /// Places of objects that lights are aimed at.
+    fn aims(self) -> AimPlaces {
+        let Some(scene) = self.scene.map(OpenScene::scene) else { return AimPlaces::new() };
+        let lights = scene.lights.values().chain(self.base.look.lights.values());
+        let aimed = lights.filter_map(|light| light.aimed_at.as_ref());
+        let place = |id: &ObjectId| Some(scene.objects.get(id)?.transform.translate.into());
+        aimed.filter_map(|id| Some((id.clone(), place(id)?))).collect()
     }
 
     /// Direction toward a light from the object, in camera axes.

@@ -1,8 +1,8 @@
 //! Values at a time and under a direction: the result of a look's keys.
 //!
 //! An object's values come from these sources, each over the one before: the document, the scene's
-//! overrides of exposed parameters, time keys, direction keys (BADF eq. 9). Words and switches move
-//! in time only, and change what is compiled.
+//! overrides of exposed parameters, time keys, direction keys (BADF eq. 9), and for lights the keys
+//! of the scene. Words and switches move in time only, and change what is compiled.
 //!
 //! [`Rig`] joins the sources; its parts are modules of their own: tracks in [`time`], the blend of
 //! values under weights in [`blend`], drivers in [`driver`], and a light's fields by name in
@@ -13,15 +13,17 @@ mod driver;
 mod light;
 mod params;
 mod rig;
+mod scene;
 mod time;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use crate::compile::{LightValues, ParamId};
-use crate::document::{Light, LightFrames, ObjectFrame, Target, Value, Values};
+use crate::document::{AimPlaces, Light, LightFrames, ObjectFrame, Target, Value, Values};
 use crate::ids::{LightId, ObjectId};
 
 pub use blend::is_direction;
@@ -29,6 +31,7 @@ pub use driver::{Wires, driver_value};
 pub use light::{light_field, set_light_field};
 pub use params::ParamTable;
 pub use rig::Rig;
+pub use scene::SceneRig;
 pub use time::{at_time, structural_look};
 
 /// Inputs that decide between keys for one object: the object's surroundings and the time.
@@ -56,6 +59,10 @@ pub struct RigInputs<'a> {
     pub exposed: &'a Values,
     /// Lights that replace the look's own.
     pub lights: &'a IndexMap<LightId, Light>,
+    /// Values that keys of the scene give to lights.
+    pub scene_values: &'a HashMap<Target, Value>,
+    /// Places of objects that lights are aimed at.
+    pub aims: &'a Arc<AimPlaces>,
     /// Width and height of the picture, in pixels.
     pub viewport: [f64; 2],
     /// Number of frames since the start of the time range.
@@ -71,6 +78,7 @@ impl RigInputs<'_> {
             illumination: self.illumination,
             camera_from_world: self.camera_from_world,
             object: ObjectFrame { center: self.center, turn: self.turn },
+            aims: self.aims.clone(),
         }
     }
 }

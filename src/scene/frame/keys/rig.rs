@@ -156,6 +156,8 @@ impl Rig {
                 values.insert(track.target.clone(), value);
             }
         }
+        let of_scene = || inputs.scene_values.iter().map(|(t, value)| (t.clone(), value.clone()));
+        values.extend(of_scene());
         let mut lights = self.lights.clone();
         for (id, light) in inputs.lights {
             if let Some(slot) = lights.get_mut(id) {
@@ -181,6 +183,7 @@ impl Rig {
             blend_keys(keys, &weights, &of_target, &mut values);
             decided[set] = (direction, weights);
         }
+        values.extend(of_scene());
         set_lights(&mut lights, &values);
         Ok(KeyedValues { values, lights, decided })
     }
@@ -313,6 +316,8 @@ mod tests {
             near: &IndexMap::new(),
             exposed: &Values::new(),
             lights: &IndexMap::new(),
+            scene_values: &HashMap::new(),
+            aims: &Default::default(),
             viewport: [1.0; 2],
             frame: 0.0,
             object_id: 0.0,

@@ -21,10 +21,10 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightLink, LightValues, Look, ObjectFrame};
+use crate::document::{Light, LightLink, LightValues, Look, ObjectFrame, Target, Value};
 use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
-use crate::frame::keys::{RigInputs, Wires};
+use crate::frame::keys::{RigInputs, SceneRig, Wires};
 use crate::frame::links::unlinked_lights;
 use crate::frame::mix::LightMix;
 use crate::geometry::MeshPart;
@@ -42,6 +42,8 @@ struct WornLook<'a> {
     lights: Cow<'a, IndexMap<LightId, Light>>,
     /// Mutes, solos and masters of the lights.
     mix: &'a LightMix,
+    /// Keys of the scene's lights.
+    scene_rig: Option<&'a SceneRig>,
     images: Vec<Arc<Image>>,
     images_before: BTreeMap<Stage, Vec<Arc<Image>>>,
     /// True if depths are drawn before colors.
@@ -62,6 +64,8 @@ struct PartDraw<'a> {
     near: &'a IndexMap<ObjectId, f64>,
     /// Casters of shadows, where a look reads them.
     casters: Option<&'a PlannedCasters>,
+    /// Values that keys of the scene give to lights; none until a look's are computed.
+    scene_values: &'a HashMap<Target, Value>,
 }
 
 /// Values of a look's uniforms for a draw.
@@ -87,6 +91,7 @@ impl Planner {
         // `None` for looks whose images cannot be read.
         let mut worn: HashMap<(usize, u64), Option<WornLook<'_>>> = HashMap::new();
         let centers = LazyCell::new(|| scene.centers());
+        let scene_values = HashMap::new();
         for &VisibleObject { number, object } in visible {
             let place = DrawPlace::new(scene, number);
             let parts = object.mesh.parts.iter().zip(&object.looks);
@@ -96,7 +101,7 @@ impl Planner {
                 let look = match worn.entry((index, variant.key)) {
                     Entry::Occupied(known) => known.into_mut(),
                     Entry::Vacant(slot) => {
-                        let look = scene.worn(index, &object.values);
+                        let look = scene.worn(index, object);
                         let made =
                             WornLook::new(scene, index, (look, shaders), stages, &mut self.assets);
                         slot.insert(made.map_err(|found| problems.extend(found)).ok())
@@ -107,7 +112,14 @@ impl Planner {
                 let center = scene.placed[number].center;
                 let near = near_objects(look, (&object.id, center), &center_of);
                 let visible = VisibleObject { number, object };
-                let part = PartDraw { scene, visible, part, near: &near, casters };
+                let part = PartDraw {
+                    scene,
+                    visible,
+                    part,
+                    near: &near,
+                    casters,
+                    scene_values: &scene_values,
+                };
                 match part.draw(look, index) {
                     Ok(draw) => draws.push((draw, place)),
                     Err(problem) => problems.push(problem),
@@ -128,7 +140,9 @@ fn near_objects(
     (own, center): (&ObjectId, DVec3),
     center_of: &dyn Fn(&ObjectId) -> Option<DVec3>,
 ) -> IndexMap<ObjectId, f64> {
-    let others = look.shaders.rig.near_objects().filter(|id| *id != own);
+    // What drives the scene's lights may be the object itself: nothing is nearer to it.
+    let of_scene = look.scene_rig.into_iter().flat_map(|rig| rig.rig().near_objects());
+    let others = look.shaders.rig.near_objects().filter(|id| *id != own).chain(of_scene);
     others.filter_map(|id| Some((id.clone(), center_of(id)?.distance(center)))).collect()
 }
 
@@ -160,13 +174,17 @@ impl<'a> WornLook<'a> {
         let reads_object = shaders.draw.host.reads_object()
             || before.values().any(|shader| shader.host.reads_object());
         let lights = scene.lights(index);
+        let scene_rig = scene.rig.as_deref();
         Ok(Self {
             look,
             shaders,
             before,
-            follows_objects: reads_object || shaders.rig.follows_objects(&lights),
+            follows_objects: reads_object
+                || shaders.rig.follows_objects(&lights)
+                || scene_rig.is_some_and(SceneRig::follows_objects),
             lights,
             mix: &scene.mix,
+            scene_rig,
             images,
             images_before,
             depth_first,
@@ -206,6 +224,8 @@ impl<'a> WornLook<'a> {
     ) -> Result<DrawValues, Diagnostic> {
         let shaders = self.shaders;
         let inputs = RigInputs { lights: &self.lights, ..*inputs };
+        let scene_values = self.scene_rig.map(|rig| rig.values(&inputs)).unwrap_or_default();
+        let inputs = RigInputs { scene_values: &scene_values, ..inputs };
         let mut made = DrawValues::default();
         let modules = std::iter::once((shaders.draw.stage, &shaders.draw))
             .chain(self.before.iter().map(|(stage, shader)| (*stage, shader)));
@@ -284,7 +304,7 @@ impl PartDraw<'_> {
     /// The surroundings of the object and the time, which decide between keys. The lights are
     /// the look's.
     fn rig_inputs(&self) -> RigInputs<'_> {
-        let PlacedScene { setup, options, view, placed, .. } = self.scene;
+        let PlacedScene { setup, options, view, placed, aims, .. } = self.scene;
         let VisibleObject { number, object } = self.visible;
         let center = placed[number].center;
         let time = &setup.scene.time;
@@ -300,6 +320,8 @@ impl PartDraw<'_> {
             near: self.near,
             exposed: &object.values,
             lights: &setup.scene.lights,
+            scene_values: self.scene_values,
+            aims,
             viewport: options.size.map(f64::from),
             frame: ((options.time - time.start) * time.fps).round(),
             object_id: number as f64,

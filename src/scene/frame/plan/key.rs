@@ -28,7 +28,9 @@ pub(super) fn content_key(look: &Look, live: &Live) -> u64 {
             (id, format!("{:?}{:?}", definition.inputs, definition.outputs)).hash(&mut hasher);
             hash_graph(&definition.graph, &mut hasher);
         }
-        look.lights.iter().for_each(|(id, light)| (id, light.kind).hash(&mut hasher));
+        for (id, light) in &look.lights {
+            (id, light.kind, &light.name, &light.groups).hash(&mut hasher);
+        }
         look.exposed.iter().for_each(|exposed| (&exposed.name, &exposed.target).hash(&mut hasher));
         for keys in &look.direction_keys {
             format!("{keys:?}").hash(&mut hasher);
@@ -54,7 +56,7 @@ pub(super) fn variant_key(
 
 fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
     for (id, node) in &graph.nodes {
-        (id, &node.kind, &node.name, node.tier).hash(hasher);
+        (id, &node.kind, &node.name, node.tier, &node.for_each, &node.links).hash(hasher);
         for (port, value) in &node.values {
             // Words decide what is compiled; texts that are hex colors are values.
             if let (Value::Text(text), None) = (value, value.color()) {

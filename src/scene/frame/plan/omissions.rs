@@ -4,12 +4,13 @@ use std::collections::HashMap;
 
 use super::DroppedEffect;
 use super::variants::{DarkLights, LookShaders, Variants};
-use crate::compile::Proof;
-use crate::document::Look;
+use crate::compile::{Proof, node_reach};
+use crate::document::{LightRelation, Look};
 use crate::frame::cost::EffectCost;
 use crate::frame::effects::EffectKind;
 use crate::frame::setup::Setup;
 use crate::ids::LightId;
+use crate::library::Library;
 
 /// Lists the lights of a look that its module does not read, and the lights that are dark.
 pub(super) fn push_lights(
@@ -29,6 +30,30 @@ pub(super) fn push_lights(
         let one = DroppedEffect {
             what: format!("light `{id}`"),
             why: why.to_owned(),
+            kind: EffectKind::Light,
+            proof,
+            look: Some(look.name.clone()),
+            cost: EffectCost::default(),
+        };
+        if !dropped.contains(&one) {
+            dropped.push(one);
+        }
+    }
+}
+
+/// Lists the lights that do not reach nodes of a look, and those that pass by what filters others.
+pub(super) fn push_node_links(dropped: &mut Vec<DroppedEffect>, look: &Look, library: &Library) {
+    for reach in node_reach(look, library).into_iter().filter(|reach| !reach.reaches) {
+        let (light, node) = (&reach.light, &reach.node);
+        let (what, proof) = match reach.relation {
+            LightRelation::Filtered => {
+                (format!("filter `{node}` of the light `{light}`"), Proof::Unreachable)
+            }
+            _ => (format!("light `{light}` on the node `{node}`"), Proof::NoLight),
+        };
+        let one = DroppedEffect {
+            what,
+            why: reach.words,
             kind: EffectKind::Light,
             proof,
             look: Some(look.name.clone()),

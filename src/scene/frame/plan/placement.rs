@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::DVec3;
 use indexmap::IndexMap;
@@ -10,12 +11,13 @@ use indexmap::IndexMap;
 use super::planner::Planner;
 use super::{DroppedEffect, PlanOptions};
 use crate::compile::Live;
-use crate::document::{Light, Look, Scene, Values};
+use crate::document::{AimPlaces, Light, Look, Values};
 use crate::frame::camera::View;
 use crate::frame::cost::EffectCost;
 use crate::frame::coverage::PixelArea;
 use crate::frame::effects::EffectKind;
-use crate::frame::keys::structural_look;
+use crate::frame::keys::{SceneRig, structural_look};
+use crate::frame::layers::with_lights_of;
 use crate::frame::mix::LightMix;
 use crate::frame::nearest::nearest_surface;
 use crate::frame::setup::{Setup, SetupLook, SetupObject};
@@ -38,6 +40,10 @@ pub(super) struct PlacedScene<'a> {
     pub(super) view: View,
     /// Mutes, solos and masters of the lights.
     pub(super) mix: LightMix,
+    /// Keys of the scene's lights; `None` where it has none.
+    pub(super) rig: Option<Arc<SceneRig>>,
+    /// Places of objects that lights are aimed at.
+    pub(super) aims: Arc<AimPlaces>,
 }
 
 /// An object of which something may be seen, with its number in the scene.
@@ -60,13 +66,13 @@ impl PlacedScene<'_> {
         Cow::Owned(lights)
     }
 
-    /// The look of that number with the words that it has on an object of those values.
-    pub(super) fn worn(&self, look: usize, values: &Values) -> Cow<'_, Look> {
-        if values.is_empty() {
+    /// The look of that number as an object wears it: with the words that the object's values set,
+    /// and the lights that it gives to nodes.
+    pub(super) fn worn(&self, look: usize, object: &SetupObject) -> Cow<'_, Look> {
+        if object.values.is_empty() && object.layers.is_empty() {
             return Cow::Borrowed(&self.looks[look]);
         }
-        let worn = structural_look(&self.setup.looks[look].look, self.options.time, values);
-        with_lights_of(&self.setup.scene, worn)
+        self.setup.worn(look, object, self.options.time)
     }
 
     /// The center of each object, in world space.
@@ -90,19 +96,6 @@ impl PlacedScene<'_> {
     pub(super) fn whole(&self) -> PixelArea {
         PixelArea::whole(self.options.size)
     }
-}
-
-/// A look whose groups run for each light of a set, with the scene's lights beside its own.
-fn with_lights_of<'l>(scene: &Scene, look: Cow<'l, Look>) -> Cow<'l, Look> {
-    let is_new = |id: &LightId| !look.lights.contains_key(id);
-    if !scene.lights.keys().any(is_new) || !look.runs_for_lights() {
-        return look;
-    }
-    let mut lit = look.into_owned();
-    for (id, light) in &scene.lights {
-        lit.lights.entry(id.clone()).or_insert_with(|| light.clone());
-    }
-    Cow::Owned(lit)
 }
 
 impl Planner {
@@ -130,7 +123,10 @@ impl Planner {
         };
         let looks = setup.looks.iter().map(now).collect();
         let (lives, mix) = (lives(setup, live), setup.light_mix());
-        PlacedScene { setup, library, options, lives, looks, placed, view, mix }
+        self.scene_rig = SceneRig::of(&setup.scene, self.scene_rig.as_ref());
+        let (rig, aims) =
+            (self.scene_rig.clone(), setup.aim_places(|number| placed[number].center));
+        PlacedScene { setup, library, options, lives, looks, placed, view, mix, rig, aims }
     }
 
     /// The objects of which something may be seen; the others are dropped.

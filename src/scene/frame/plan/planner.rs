@@ -14,7 +14,7 @@ use crate::compile::{CompiledShader, Live};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::assets::Assets;
-use crate::frame::keys::Rig;
+use crate::frame::keys::{Rig, SceneRig};
 use crate::frame::setup::Setup;
 use crate::frame::visibility::{CullMode, KnownBounds};
 use crate::ids::NodePath;
@@ -32,6 +32,8 @@ pub struct Planner {
     pub(super) shaders: HashMap<u64, LookShaders>,
     /// Keys of the compiled looks that the last plan used.
     pub(super) used: HashSet<u64>,
+    /// Keys of the lights of the last scene.
+    pub(super) scene_rig: Option<Arc<SceneRig>>,
     /// Nodes of compiled looks that read UVs or tangents, for meshes without UVs.
     pub(super) uv_readers: HashMap<u64, Vec<NodePath>>,
     /// Modules of looks that are drawn deferred.

@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 use super::DroppedEffect;
 use super::key::{content_key, variant_key};
-use super::omissions::push_lights;
+use super::omissions::{push_lights, push_node_links};
 use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
 use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
-use crate::document::{LightField, Look, Values};
+use crate::document::{LightField, Look};
 use crate::frame::keys::{ParamTable, Rig};
 use crate::frame::links::unlit;
 use crate::frame::setup::{SetupLook, SetupObject};
@@ -83,11 +83,11 @@ impl Planner {
                     continue;
                 }
                 let look = &scene.setup.looks[index];
-                let now = scene.worn(index, &object.values);
+                let now = scene.worn(index, object);
                 let live = &scene.lives[index];
                 let dark = all_dark.remove(&(number, index)).unwrap_or_default();
                 let (cutout, fields) = (has_cutout(object, index), fields(&dark));
-                let own = matches!(now, Cow::Owned(_)).then_some(&object.values);
+                let own = matches!(now, Cow::Owned(_)).then_some(object);
                 let content = contents.get(index, &now, live, own);
                 let key = variant_key(content, cutout, &fields);
                 let variant = LookVariant { key, cutout, dark: fields };
@@ -101,6 +101,7 @@ impl Planner {
                     && !told.contains(&(index, key, dark.clone()))
                 {
                     push_lights(dropped, &now, shaders, &dark);
+                    push_node_links(dropped, &now, scene.library);
                     told.insert((index, key, dark));
                 }
                 variants.insert((number, index), variant);
@@ -131,7 +132,7 @@ impl Planner {
                     continue;
                 }
                 let look = &scene.setup.looks[index];
-                let now = scene.worn(index, &object.values);
+                let now = scene.worn(index, object);
                 for &stage in stages {
                     let options =
                         CompileOptions { stage, ..self.options(&scene.lives[index], variant) };
@@ -172,11 +173,12 @@ impl Planner {
                     continue;
                 }
                 let Entry::Vacant(slot) = dark.entry((number, index)) else { continue };
-                let look = scene.worn(index, &object.values);
+                let look = scene.worn(index, object);
                 let (setup, lights) = (scene.setup, scene.lights(index));
                 let placed = (&scene.placed[number], object);
                 let unlit = unlit(setup, &scene.mix, object);
-                let found = dark_lights(setup, &look, &lights, placed, &scene.view, &unlit);
+                let found =
+                    dark_lights((setup, &scene.aims), &look, &lights, placed, &scene.view, &unlit);
                 let found = slot.insert(found);
                 sets.entry(index).or_default().insert(fields(found));
             }
@@ -227,11 +229,11 @@ impl Planner {
 struct ContentKeys(HashMap<(usize, String), u64>);
 
 impl ContentKeys {
-    /// The hash of the look of that number in the state `now`, which objects of `values` wear where
-    /// these set a word of it; others leave the look as it is.
-    fn get(&mut self, look: usize, now: &Look, live: &Live, values: Option<&Values>) -> u64 {
-        let values = values.map(values_key).unwrap_or_default();
-        *self.0.entry((look, values)).or_insert_with(|| content_key(now, live))
+    /// The hash of the look of that number in the state `now`, which objects like `own` wear where
+    /// these change it; others leave the look as it is.
+    fn get(&mut self, look: usize, now: &Look, live: &Live, own: Option<&SetupObject>) -> u64 {
+        let own = own.map(|object| format!("{}{:?}", values_key(&object.values), object.layers));
+        *self.0.entry((look, own.unwrap_or_default())).or_insert_with(|| content_key(now, live))
     }
 }
 

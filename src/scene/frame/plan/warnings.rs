@@ -8,7 +8,7 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::diag::Diagnostic;
 use crate::document::{Driver, KeyDirection};
-use crate::frame::links::idle_links;
+use crate::frame::links::{idle_links, located};
 use crate::frame::setup::{Setup, SetupLook};
 use crate::frame::uvs::{self, MissingInput};
 use crate::ids::ObjectId;
@@ -32,6 +32,8 @@ impl Planner {
         }
         found.extend(self.lacking_uvs(scene, visible, variants));
         found.extend(scene.setup.mix_warnings());
+        found.extend(scene.setup.aim_warnings());
+        found.extend(scene_key_warnings(scene));
         let ids = LazyCell::new(|| ids_of(scene.setup));
         for VisibleObject { object, .. } in visible {
             found.extend(idle_links(scene.setup, object));
@@ -72,6 +74,33 @@ impl Planner {
         }
         found
     }
+}
+
+/// Warnings of the keys of the scene's lights: of keys that lie too close, and of objects that are
+/// not in the scene.
+fn scene_key_warnings(scene: &PlacedScene<'_>) -> Vec<Diagnostic> {
+    let Some(rig) = &scene.rig else { return Vec::new() };
+    let setup = scene.setup;
+    let own = |problem: &Diagnostic| {
+        let path = problem.place.json_path.clone().unwrap_or_default();
+        located(setup, problem.clone(), path)
+    };
+    let mut found: Vec<Diagnostic> = rig.warnings.iter().map(own).collect();
+    let ids = ids_of(setup);
+    for (index, set) in setup.scene.direction_keys.iter().enumerate() {
+        let KeyDirection::Drivers(drivers) = &set.by else { continue };
+        for driver in drivers {
+            let Driver::Near(id) = driver else { continue };
+            if !ids.contains(id) {
+                let message = format!("there is no object `{id}` in the scene");
+                let problem = Diagnostic::warning("unknown-object", message)
+                    .suggest(id.as_str(), setup.objects.iter().map(|object| object.id.as_str()))
+                    .hint("until there is, it counts as far away");
+                found.push(located(setup, problem, format!("direction_keys[{index}].by")));
+            }
+        }
+    }
+    found
 }
 
 fn ids_of(setup: &Setup) -> HashSet<&ObjectId> {

@@ -162,7 +162,7 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
                 // The position and the direction of a light are no values for a table; the diamonds
                 // beside these fields key them.
                 let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
-                for field in LightField::of(light.kind).filter(is_cell) {
+                for field in light.fields().filter(is_cell) {
                     let target =
                         Target::Light { light: id.clone(), field: field.name().to_owned() };
                     let is_new = !known.contains(&target);

@@ -5,7 +5,7 @@ use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::Timeline;
 use crate::commands::Command;
-use crate::document::{Edit, Interpolation, LightField, Target};
+use crate::document::{Edit, Interpolation, Target};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::values;
@@ -110,7 +110,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                 hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
-                for field in LightField::of(light.kind).map(|field| field.name().to_owned()) {
+                for field in light.fields().map(|field| field.name().to_owned()) {
                     entry(ui, session, &Target::Light { light: id.clone(), field }, out);
                 }
             }
