@@ -101,7 +101,7 @@ fn a_light_that_goes_along_is_aimed_from_where_it_is() {
     }
 }
 
-/// What lies outside of the cone that is aimed elsewhere is dark, and what lies in it is not.
+/// A cone that is aimed elsewhere leaves dark what lies outside of it, and nothing else.
 #[test]
 fn cones_are_proved_dark_by_where_they_are_aimed() {
     let places = [DVec3::new(-1.2, 0.0, 0.0), DVec3::new(1.2, 0.0, 0.0)];

@@ -169,7 +169,9 @@ fn links_of_nodes_in_groups_are_what_the_algebra_of_sets_says() {
                 "definitions": {"lamps": {"outputs": [{"name": "light"}],
                     "nodes": ids.iter().map(lamp).collect::<Vec<_>>(),
                     "wires": [{"from": "lamp_a", "to": "outputs.light"}]}},
-                "nodes": [{"id": "group", "kind": "lamps"}, {"id": "output", "kind": "output"}]}));
+                "nodes": [{"id": "group", "kind": "lamps"}, {"id": "base", "kind": "base"},
+                    {"id": "output", "kind": "output"}],
+                "wires": [{"from": "base", "to": "output.color"}]}));
             let group = lit.look.graph.nodes.get_mut("group").unwrap();
             group.links.layered = set(outer);
             let around = of_outer(0b1111);
@@ -255,6 +257,8 @@ fn lights_are_told_apart_in_one_loop() {
         ("group:even | light_1", member("group:even | light_1"), 3.0),
         ("*", member("*"), 4.0),
         ("group:even - light_0", member("group:even - light_0"), 1.0),
+        ("light_0", member("light_0"), 1.0),
+        ("no light", member(""), 0.0),
         ("numbers", number(), numbers),
         ("a number", named(), 4.0 * Light::number_of(&"light_3".into())),
     ];
@@ -275,7 +279,6 @@ fn lights_are_told_apart_in_one_loop() {
 /// The number of a light is that of its id: other lights may come and go.
 #[test]
 fn numbers_of_lights_stay_and_lie_apart() {
-    // Computed by hand from docs/math.md 6.6 for the empty hash of one letter.
     let mut numbers: Vec<f64> =
         (0..256).map(|index| Light::number_of(&format!("lamp_{index}").as_str().into())).collect();
     assert!(numbers.iter().all(|number| (0.0..1.0).contains(number)));
@@ -298,8 +301,9 @@ fn lights_pass_by_what_does_not_filter_them() {
                 "values": {"share": 0.25, "color": [0.5, 1, 0.25, 1]}},
             {"id": "lit", "kind": "multiply"}, {"id": "strong", "kind": "multiply"}])
     };
-    let wires = json!([{"from": "lamp", "to": "angle.light"}, {"from": "angle", "to": "glass.angle"},
-        {"from": "lamp", "to": "glass.light"}, {"from": "glass.light", "to": "parts.light"},
+    let wires = json!([{"from": "lamp", "to": "angle.light"},
+        {"from": "angle", "to": "glass.angle"}, {"from": "lamp", "to": "glass.light"},
+        {"from": "glass.light", "to": "parts.light"},
         {"from": "glass.angle", "to": "tone.angle"}, {"from": "parts.color", "to": "lit.a"},
         {"from": "tone", "to": "lit.b"}, {"from": "lit", "to": "strong.a"},
         {"from": "parts.intensity", "to": "strong.b"}, {"from": "strong", "to": "join.value"}]);
@@ -332,8 +336,9 @@ fn groups_run_for_the_lights_that_reach_them() {
         lamp.as_object_mut().unwrap().extend(link.as_object().unwrap().clone());
         json!([lamp, {"id": "parts", "kind": "light_parts"}, {"id": "lit", "kind": "multiply"}])
     };
-    let wires = json!([{"from": "lamp", "to": "parts.light"}, {"from": "parts.color", "to": "lit.a"},
-        {"from": "parts.intensity", "to": "lit.b"}, {"from": "lit", "to": "join.value"}]);
+    let wires = json!([{"from": "lamp", "to": "parts.light"},
+        {"from": "parts.color", "to": "lit.a"}, {"from": "parts.intensity", "to": "lit.b"},
+        {"from": "lit", "to": "join.value"}]);
     let of = |link: Json, more: Json| summed(nodes(link), wires.clone(), more);
     let [.., wanted] = values(&of(json!({}), json!({"for_each": "light_1 | light_2"})));
     let by_group = of(json!({}), json!({"unlayered": "light_0 | light_3"}));

@@ -48,7 +48,7 @@ fn scene(written: Json) -> Scene {
     loaded.value.expect("a scene")
 }
 
-/// Where the objects of [`setup`] are, and how they are turned.
+/// Places of the objects of [`setup`].
 const PLACES: [DVec3; 2] = [DVec3::ZERO, DVec3::new(2.0, 0.0, 1.0)];
 
 fn turns() -> [DQuat; 2] {
@@ -178,7 +178,10 @@ fn every_field_of_a_light_is_keyed_by_every_driver() {
         let target = format!("lights.{light}.{}", field.name());
         for DriverCase { by, at, places: [p, q], object } in cases() {
             let what = format!("{} by {by}", field.name());
-            let key = |place: &Json, numbers: &[f64]| json!({at: place, "values": {&target: written(numbers)}});
+            let key = |place: &Json, numbers: &[f64]| {
+                let values = json!({&target: written(numbers)});
+                json!({at: place, "values": values})
+            };
             let keyed = scene(json!({"chiaro": "scene",
                 "lights": {light: {}, "mark": {"space": "world", "direction": [0.5, 0.75, 1]}},
                 "direction_keys": [{"by": by, "keys": [key(&p, &a), key(&q, &b)]}]}));

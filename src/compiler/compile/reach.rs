@@ -1,4 +1,4 @@
-//! Which lights reach which nodes of a look, and which of them nodes filter, each with its rule: for
+//! Table of the lights that reach nodes of a look and that nodes filter, each with its rule: for
 //! plans, tables and people. What is compiled goes by the same sets.
 
 use std::collections::{BTreeSet, HashSet};

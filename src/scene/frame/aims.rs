@@ -1,11 +1,12 @@
 //! Objects that lights are aimed at: where they are, and warnings of those that there are not.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::links::located;
-use super::setup::{Setup, SetupObject};
+use super::setup::Setup;
 use crate::diag::Diagnostic;
 use crate::document::{AimPlaces, Light};
 use crate::ids::{LightId, ObjectId};
@@ -49,20 +50,19 @@ impl Setup {
 
     /// Warnings of lights that are aimed at objects which there are not.
     pub(super) fn aim_warnings(&self) -> Vec<Diagnostic> {
-        let ids = || {
-            let placed = self.objects.iter().map(|object: &SetupObject| &object.id);
-            placed.chain(self.scene.objects.keys()).map(ObjectId::as_str)
-        };
+        let placed = self.objects.iter().map(|object| &object.id);
+        let ids: BTreeSet<&str> =
+            placed.chain(self.scene.objects.keys()).map(ObjectId::as_str).collect();
         let mut found = Vec::new();
         for (look, id, light) in self.aimed_lights() {
             let Some(wanted) = &light.aimed_at else { continue };
-            if ids().any(|id| id == wanted.as_str()) {
+            if ids.contains(wanted.as_str()) {
                 continue;
             }
             let message =
                 format!("the light `{id}` is aimed at the object `{wanted}`, which there is not");
             let problem = Diagnostic::warning("unknown-object", message)
-                .suggest(wanted.as_str(), ids())
+                .suggest(wanted.as_str(), ids.iter().copied())
                 .hint("until there is, it shines as if it were aimed at nothing");
             let path = format!("lights.{id}.aimed_at");
             found.push(match look {

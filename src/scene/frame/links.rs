@@ -34,7 +34,7 @@ pub struct LayerReach {
     pub object: ObjectId,
     /// Name of the look.
     pub look: String,
-    /// What is told of the node and the light.
+    /// Node and light with their rule.
     pub reach: NodeReach,
 }
 

@@ -107,7 +107,13 @@ impl SpecializedGraph {
             let count = chains.lights.len();
             let mut start = 0;
             while start < count {
-                let is_same = |copy: &usize| self.copies_match(&chains, start, *copy);
+                if !self.is_drawn(&chains, start) {
+                    start += 1;
+                    continue;
+                }
+                let is_same = |copy: &usize| {
+                    self.is_drawn(&chains, *copy) && self.copies_match(&chains, start, *copy)
+                };
                 let last = (start + 1..count).take_while(is_same).last().unwrap_or(start);
                 let copies = start..last + 1;
                 start = copies.end;
@@ -177,6 +183,16 @@ impl SpecializedGraph {
             }
         }
         groups
+    }
+
+    /// True if fragments compute what a copy gives: not the host, which knows lights from one
+    /// direction alone, and not a copy before, whose light is the last that adds anything.
+    fn is_drawn(&self, chains: &Chains, copy: usize) -> bool {
+        let copies = chains.chains.iter().map(|chain| &chain[copy]);
+        let mut values = copies.flat_map(|copy| copy.before.iter().zip(&copy.after));
+        values.all(|(before, after)| {
+            self.values[*after].rate > Rate::Object && *before != Some(*after)
+        })
     }
 
     /// True if a copy does what another does, but for values of the host.

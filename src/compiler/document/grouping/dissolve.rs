@@ -50,7 +50,8 @@ pub fn dissolve(
         let problem = impossible(format!(
             "the group `{id}` has lights of its own, so it is not what is in it under all lights"
         ));
-        return Err(Box::new(problem.hint("clear *Reached by*, *Filters lights* and their exceptions first")));
+        let hint = "clear *Reached by*, *Filters lights* and their exceptions first";
+        return Err(Box::new(problem.hint(hint)));
     }
     let opened = GroupContents { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();

@@ -244,8 +244,8 @@ mod tests {
     }
 
     proptest! {
-        /// Who is linked is who is of the first set, and not of the second, of which the first is
-        /// the source; and nobody is linked within who is not around.
+        /// Members that are linked are those of the first set that are not of the second, of which
+        /// the first is the source; and none is linked within that is not around.
         #[test]
         fn links_are_what_the_algebra_of_their_sets_says(
             (linked, of_linked) in sets(),

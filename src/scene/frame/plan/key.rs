@@ -56,7 +56,8 @@ pub(super) fn variant_key(
 
 fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
     for (id, node) in &graph.nodes {
-        (id, &node.kind, &node.name, node.tier, &node.for_each, &node.links).hash(hasher);
+        (id, &node.kind, &node.name, node.tier, node.muted).hash(hasher);
+        (&node.for_each, &node.links).hash(hasher);
         for (port, value) in &node.values {
             // Words decide what is compiled; texts that are hex colors are values.
             if let (Value::Text(text), None) = (value, value.color()) {
