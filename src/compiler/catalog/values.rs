@@ -3,7 +3,7 @@
 use crate::document::{Look, Node, Value};
 use crate::library::{Context, Fallback, Type};
 
-use super::Port;
+use super::{CODE_VALUE, Port};
 
 /// Text of a value in a few characters.
 pub fn short(port: &Port, value: &Value) -> String {
@@ -91,7 +91,7 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
                     .clone(),
             )
         }
-        (Type::Text, _) => InputDisplay::Nothing,
+        (Type::Text, _) if port.name.as_str() == CODE_VALUE => InputDisplay::Nothing,
         _ => InputDisplay::Text(short(port, value)),
     }
 }

@@ -50,9 +50,11 @@ pub(crate) fn edit(
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
             widget = widget.or(space(ui, label, &mut new));
         });
-        labelled(ui, "Aim at", AIM_HELP, |ui, label| {
-            widget = widget.or(aimed_at(ui, label, session, &mut new));
-        });
+        if session.open_scene().is_some() || light.aimed_at.is_some() {
+            labelled(ui, "Aim at", AIM_HELP, |ui, label| {
+                widget = widget.or(aimed_at(ui, label, session, &mut new));
+            });
+        }
         let fields: Vec<LightField> = new.fields().collect();
         for field in fields {
             // Keys and parameters belong to the look, and so do their marks.
