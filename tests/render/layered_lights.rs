@@ -376,3 +376,51 @@ fn links_of_nodes_that_mean_nothing_are_told() {
     // A relation that tells of nothing but objects names its own fields.
     assert_eq!(LightRelation::Filtered.fields(), ["filtered", "unfiltered"]);
 }
+
+/// The shadow of a light falls from an object onto another where the sets of both relations say so:
+/// by their algebra, for every combination.
+#[test]
+fn shadows_fall_as_the_algebra_of_sets_says() {
+    type SetCase = (&'static str, fn(u8) -> u8);
+    let of_lights: [SetCase; 4] = [
+        ("*", |_| 0b11),
+        ("", |_| 0),
+        ("fill", |_| 0b10),
+        ("{source} - key", |first| first & 0b10),
+    ];
+    let of_objects: [SetCase; 5] = [
+        ("*", |_| 0b111),
+        ("", |_| 0),
+        ("object_0 | object_2", |_| 0b101),
+        ("* - object_1", |_| 0b101),
+        ("{source} & object_2", |first| first & 0b100),
+    ];
+    let mut lit = setup(vec![without(&[]), without(&[]), without(&[])]);
+    for index in 0..3 {
+        lit.scene.objects.insert(format!("object_{index}").as_str().into(), Default::default());
+    }
+    lit.objects[2].light_link.unlinked = set("fill");
+    for (shadowed, a) in of_lights {
+        for (unshadowed, b) in of_lights {
+            for (on, c) in of_objects {
+                for (not_on, d) in of_objects {
+                    let link = &mut lit.objects[0].shadow_link;
+                    (link.shadowed, link.unshadowed) = (set(shadowed), set(unshadowed));
+                    let objects = |text| chiaro::document::ObjectSet::parse(text).unwrap();
+                    (link.shadows_on, link.no_shadows_on) = (objects(on), objects(not_on));
+                    let (lights, objects) = (a(0) & !b(a(0)), c(0) & !d(c(0)));
+                    for shadow in lit.shadow_reach() {
+                        let [caster, onto] = [&shadow.caster, &shadow.onto].map(|id| {
+                            id.as_str().trim_start_matches("object_").parse::<u8>().unwrap()
+                        });
+                        let light = u8::from(shadow.light.as_str() == "fill");
+                        let is_linked = lights >> light & 1 == 1 && objects >> onto & 1 == 1;
+                        let is_dark = light == 1 && onto == 2;
+                        let wanted = (caster > 0 || is_linked) && !is_dark;
+                        assert_eq!(shadow.falls, wanted, "{shadow:?}, {on} without {not_on}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -101,7 +101,11 @@ impl Setup {
             for (light, rule) in &of_lights {
                 for onto in &self.objects {
                     let of_object = of_objects.get(&onto.id).copied();
-                    let of_object = of_object.unwrap_or(LinkRule::Linked);
+                    // What is not of the scene's own list is of no set but that of all.
+                    let of_object = of_object.unwrap_or(match link.is_all() {
+                        true => LinkRule::Linked,
+                        false => LinkRule::NotLinked,
+                    });
                     let unlit = dark.get(&(onto.id.clone(), light.clone()));
                     let (is_by_link, words) = if !wears_look {
                         (false, "it wears no look".to_owned())
