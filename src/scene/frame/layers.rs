@@ -2,6 +2,7 @@
 //! single nodes, and the scene's lights in the sets that looks name.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::keys::structural_look;
 use super::links::located;
@@ -20,7 +21,8 @@ impl Setup {
     /// Warnings of an object's rows for nodes that none of its looks has.
     pub(super) fn layer_warnings(&self, object: &SetupObject) -> Vec<Diagnostic> {
         let index = self.scene.objects.get_index_of(&object.id).unwrap_or_default();
-        let looks = || object.worn_looks().map(|look| &self.looks[look].look.graph.nodes);
+        let worn: BTreeSet<usize> = object.worn_looks().collect();
+        let looks = || worn.iter().map(|look| &self.looks[*look].look.graph.nodes);
         let mut found = Vec::new();
         for (row, link) in object.layers.iter().enumerate() {
             if looks().any(|nodes| nodes.contains_key(&link.node)) {
