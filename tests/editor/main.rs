@@ -11,6 +11,7 @@ mod fit;
 mod journeys;
 mod keys;
 mod kills;
+mod light_panels;
 mod monkey;
 mod names;
 mod paint;

@@ -140,6 +140,11 @@ impl App {
             }
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
+            Command::LinkPointed(is_linked) => {
+                for command in self.bench.links.link_pointed(&self.session, is_linked) {
+                    self.carry_out(ui, command);
+                }
+            }
             Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
                 self.show_painting_panels();
             }

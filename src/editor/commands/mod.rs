@@ -102,6 +102,9 @@ pub(crate) enum Command {
     ShowReference(Option<PathBuf>),
     /// Shows layers or lights alone, or leaves lights out; the document is unchanged.
     Solo(Solo),
+    /// Links the lights that are selected in the links' pane to the object under the pointer, or
+    /// with `false` unlinks them.
+    LinkPointed(bool),
     /// Brings a panel to the front.
     ShowPanel(PanelId),
     /// Takes steps back, or repeats them, until so many are done.

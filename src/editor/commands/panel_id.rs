@@ -17,7 +17,10 @@ impl PanelId {
     pub(crate) const KEYS: Self = Self("keys");
     pub(crate) const LAYERS: Self = Self("layers");
     pub(crate) const LIBRARY: Self = Self("library");
+    pub(crate) const LIGHT_TABLE: Self = Self("light_table");
     pub(crate) const LIGHTS: Self = Self("lights");
+    pub(crate) const LINKS: Self = Self("links");
+    pub(crate) const MIXER: Self = Self("mixer");
     pub(crate) const OBJECTS: Self = Self("objects");
     pub(crate) const PAINT: Self = Self("paint");
     pub(crate) const PICTURE: Self = Self("picture");

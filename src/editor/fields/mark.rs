@@ -10,10 +10,10 @@ use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// Shows the mark of a target, to be pressed.
-pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
+/// Colors of a target's mark: within it, and along its edge.
+pub(crate) fn inks(ui: &Ui, session: &Session, target: &Target) -> (Color32, Color32) {
     let colors = theme::of(ui);
-    let (fill, edge) = match session.keys().keyed_by(target) {
+    match session.keys().keyed_by(target) {
         KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7)),
         KeyedBy::Direction(set) => {
             let key = session.keys().key_at(set);
@@ -29,11 +29,17 @@ pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) ->
             let is_here = keys.iter().any(|key| (key.time - session.view.time).abs() < 1e-6);
             (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent)
         }
-    };
+    }
+}
+
+/// Shows the mark of a target, to be pressed.
+pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
+    let (fill, edge) = inks(ui, session, target);
     let (rect, response) =
         ui.allocate_exact_size(vec2(16.0, ui.spacing().interact_size.y), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
-    let edge = if response.hovered() || response.has_focus() { colors.text } else { edge };
+    let is_at = response.hovered() || response.has_focus();
+    let edge = if is_at { theme::of(ui).text } else { edge };
     diamond(ui, rect.center(), 4.5, fill, edge);
     response
 }

@@ -6,6 +6,7 @@ pub(crate) mod keyed;
 pub(crate) mod lighting;
 pub(crate) mod mark;
 pub(crate) mod marks;
+pub(crate) mod mix;
 pub(crate) mod row;
 
 use crate::catalog::NodeKind;

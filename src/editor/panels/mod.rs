@@ -12,7 +12,10 @@ mod history;
 pub(crate) mod inspector;
 pub(crate) mod layers;
 pub(crate) mod library;
+mod light_table;
 pub(crate) mod lights;
+pub(crate) mod links;
+mod mixer;
 mod objects;
 mod painting;
 mod picture;
@@ -45,6 +48,9 @@ pub(crate) static PANELS: &[PanelRow] = &[
     curves::profile::PANEL,
     curves::keys::PANEL,
     curves::timeline::PANEL,
+    light_table::PANEL,
+    mixer::PANEL,
+    links::PANEL,
     code::PANEL,
     problems::PANEL,
     effects::PANEL,

@@ -131,6 +131,9 @@ impl PanelPlace {
         beside: &[PanelId::PROFILE, PanelId::KEYS, PanelId::CODE, PanelId::EFFECTS],
         ..Self::CLOSED
     };
+    /// Place below the graph, with the panels that need its width; closed in a new window.
+    pub(crate) const BELOW_GRAPH: Self =
+        Self { is_below_graph: true, ..Self::BELOW_PICTURE_WITH_CURVES.closed() };
     /// Place on the right, with the panels that list the parts of a document.
     pub(crate) const WITH_DOCUMENT: Self = Self {
         stack: Some(PanelStack::Document),

@@ -9,6 +9,7 @@ use crate::canvas::Canvas;
 use crate::hcbtf::Device;
 use crate::painter::Painting;
 use crate::panels::cost::Cost;
+use crate::panels::links::Links;
 use crate::render::Gpu;
 use crate::state::crashes::CrashLog;
 use crate::tools::PictureTools;
@@ -23,6 +24,7 @@ pub(crate) struct Workbench {
     pub(crate) tools: PictureTools,
     pub(crate) cost: Cost,
     pub(crate) painting: Painting,
+    pub(crate) links: Links,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
     pub(crate) memory: PanelMemory,
@@ -44,6 +46,7 @@ impl Workbench {
             tools: PictureTools::new(gpu.clone(), wake.clone()),
             cost: Cost::new(gpu.clone(), wake.clone()),
             painting: Painting::new(device, wake.clone()),
+            links: Links::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,
             memory: PanelMemory::default(),

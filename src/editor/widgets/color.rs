@@ -43,6 +43,33 @@ pub(crate) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
     Some(picked.map(|x| (f64::from(x) * 1e4).round() / 1e4))
 }
 
+/// Shows the picker of a swatch in place, for an opaque color of a look's color space.
+pub(crate) fn pick_in(ui: &mut Ui, color: [f64; 3], space: ColorSpace) -> Option<[f64; 3]> {
+    let [r, g, b] = color;
+    let [r, g, b, _] = pick(ui, encoded([r, g, b, 1.0], space))?;
+    Some(match space {
+        ColorSpace::Display => [r, g, b],
+        ColorSpace::Linear => {
+            [r, g, b].map(|x| (f64::from(linear_from_gamma(x as f32)) * 1e4).round() / 1e4)
+        }
+    })
+}
+
+/// A typed hex code as a color of a look's color space; `None` for what is no code.
+pub(crate) fn typed_in(text: &str, space: ColorSpace) -> Option<[f64; 3]> {
+    let [r, g, b, _] = parse_typed(text)?;
+    Some(match space {
+        ColorSpace::Display => [r, g, b].map(|x| (x * 1e4).round() / 1e4),
+        ColorSpace::Linear => [r, g, b].map(srgb_to_linear),
+    })
+}
+
+/// Hex code of a color of a look's color space.
+pub(crate) fn code(color: [f64; 3], space: ColorSpace) -> String {
+    let [r, g, b] = color;
+    values::hex(encoded([r, g, b, 1.0], space))
+}
+
 /// Shows the swatch alone; `name` is its name for screen readers.
 pub(crate) fn named_swatch(
     ui: &mut Ui,

@@ -59,7 +59,8 @@ pub(crate) fn icon(ui: &mut Ui, icon: Icon, is_on: bool, label: &str, help: &str
     response.on_hover_text(help)
 }
 
-fn draw(painter: &Painter, icon: Icon, at: Pos2, ink: Color32, is_on: bool) {
+/// Paints an icon.
+pub(crate) fn draw(painter: &Painter, icon: Icon, at: Pos2, ink: Color32, is_on: bool) {
     let stroke = Stroke::new(1.4, ink);
     match icon {
         Icon::Eye => {

@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use super::links::{idle_terms, located};
 use super::setup::Setup;
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightOut, LightValues, MAX_INTENSITY};
+use crate::document::{Light, LightOut, LightValues};
 use crate::ids::LightId;
 
 /// Code of the warning that lights shine alone.
@@ -70,16 +70,9 @@ impl Setup {
                 LightOut::Muted => format!("`muted` (`{}`) has it", muted.text()),
                 LightOut::ByMaster(group) => format!("the master of its group `{group}` is 0"),
             });
-            let mut masters =
-                light.groups.iter().filter_map(|group| scene.light_groups.get(group)).peekable();
             if let Some(why) = why {
                 mix.out.insert(id.clone(), why.into());
-            } else if masters.peek().is_some() {
-                let product = masters.fold((1.0, [1.0; 3]), |(factor, tint), master| {
-                    let (own, own_tint) = master.factors();
-                    let tint = std::array::from_fn(|channel| tint[channel] * own_tint[channel]);
-                    ((factor * own).min(MAX_INTENSITY), tint)
-                });
+            } else if let Some(product) = scene.master_factors(light) {
                 mix.factors.insert(id.clone(), product);
             }
         }

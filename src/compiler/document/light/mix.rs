@@ -1,10 +1,11 @@
-//! Rule of a scene's mix: which lights are out by its mutes, its solos and the masters of groups.
+//! Rule of a scene's mix: which lights are out by its mutes, its solos and the masters of groups,
+//! and what the masters leave of the others.
 
 use std::collections::BTreeSet;
 
 use indexmap::IndexMap;
 
-use super::Light;
+use super::{Light, MAX_INTENSITY};
 use crate::document::Scene;
 use crate::document::set::LightSet;
 use crate::ids::{LightGroup, LightId};
@@ -21,6 +22,19 @@ pub enum LightOut {
 }
 
 impl Scene {
+    /// Factors on the intensity and on the color of a light by the masters of its groups, which
+    /// multiply; `None` where none of the groups has a master.
+    pub fn master_factors(&self, light: &Light) -> Option<(f64, [f64; 3])> {
+        let mut masters =
+            light.groups.iter().filter_map(|group| self.light_groups.get(group)).peekable();
+        masters.peek()?;
+        Some(masters.fold((1.0, [1.0; 3]), |(factor, tint), master| {
+            let (own, own_tint) = master.factors();
+            let tint = std::array::from_fn(|channel| tint[channel] * own_tint[channel]);
+            ((factor * own).min(MAX_INTENSITY), tint)
+        }))
+    }
+
     /// Lights that are out, each with the reason. Solo beats mute: where a light is soloed, those
     /// shine that are, muted or not.
     pub fn lights_out(&self, lights: &IndexMap<LightId, Light>) -> IndexMap<LightId, LightOut> {

@@ -156,8 +156,21 @@ impl Dock {
         let tiles = &mut self.tree.tiles;
         let tile = tiles.insert_pane(panel);
         let place = &panel.0.place;
-        if place.is_below_graph && below_graph(tiles, tile).is_some() {
-            return;
+        if place.is_below_graph {
+            // Panels that want this place share it, behind their tabs.
+            let is_like = |row: &&PanelRow| row.place.is_below_graph && row.id != panel.0.id;
+            let mut like = PANELS.iter().filter(is_like);
+            let open = like.find_map(|row| tiles.find_pane(&Pane(row)));
+            let tabs = open.and_then(|open| tiles.parent_of(open));
+            if let Some(Tile::Container(Container::Tabs(tabs))) =
+                tabs.and_then(|tabs| tiles.get_mut(tabs))
+            {
+                tabs.add_child(tile);
+                return;
+            }
+            if below_graph(tiles, tile).is_some() {
+                return;
+            }
         }
         let beside = place.beside.iter().filter(|other| **other != panel.0.id);
         let beside = beside

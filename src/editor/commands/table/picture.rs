@@ -52,6 +52,20 @@ pub(super) fn rows() -> Vec<CommandRow> {
             "Puts the camera where the light of the selected layer is: the light goes with the \
              view, until the camera has its place again",
         ),
+        row(
+            C::LinkPointed(true),
+            "Link lights to the object pointed at",
+            &[(NONE, Key::J)],
+            KeyScope::Picture,
+        )
+        .help("Lets the lights that are selected in Links reach the object under the pointer"),
+        row(
+            C::LinkPointed(false),
+            "Unlink lights from the object pointed at",
+            &[(SHIFT, Key::J)],
+            KeyScope::Picture,
+        )
+        .help("Keeps the lights that are selected in Links from the object under the pointer"),
         fit(F::Fit(FitGoal::ThisLook), "Fit this look to the painted light", &[(CTRL, Key::Enter)]),
         fit(F::TakeBrush(LightBrush::Light), "Paint where it should be lighter", &[(NONE, Key::B)]),
         fit(F::TakeBrush(LightBrush::Dark), "Paint where it should be darker", &[(NONE, Key::D)]),

@@ -63,6 +63,12 @@ pub(super) fn rows() -> Vec<CommandRow> {
         )
         .in_menu(Menu::Paint),
         row(C::ShowPanel(PanelId::PAINT), "Paint a surface (HCBTF)", &[], Window),
+        row(C::ShowPanel(PanelId::LIGHT_TABLE), "Light table", &[], Window)
+            .help("All lights and groups, field by field: many are changed at once"),
+        row(C::ShowPanel(PanelId::MIXER), "Mixer of lights", &[], Window)
+            .help("The masters of groups of lights, as faders"),
+        row(C::ShowPanel(PanelId::LINKS), "Links of lights and objects", &[], Window)
+            .help("Which lights light which objects, and by which rule"),
         row(C::Paint(P::PaintShown), "Paint what the look shows", &[], Window),
         painting(new_hcbtf(GridPreset::Small), "New HCBTF, small (16 x 16, 3 x 6 directions)"),
         painting(

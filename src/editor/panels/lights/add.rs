@@ -4,7 +4,7 @@
 use eframe::egui::Ui;
 use indexmap::IndexMap;
 
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::document::{Light, LightKind};
 use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight};
 use crate::ids::LightId;
@@ -19,46 +19,71 @@ pub(super) fn bar(
     shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
-    ui.horizontal(|ui| {
-        let menu = ui.menu_button("Add light", |ui| {
-            for &kind in LightKind::ALL {
-                let button = ui.button(spoken(kind.word()));
-                if button.on_hover_text(spoken(kind.help())).clicked() {
-                    let near = Light {
-                        position: [1.5, 1.5, 2.0],
-                        aim: [-0.5, -0.5, -0.7],
-                        ..Light::default()
-                    };
-                    let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
-                    let id = Owner::Look.free_id(session, "light");
-                    out.push(Owner::Look.add(id, light, None).once());
-                    ui.close();
-                }
+    ui.horizontal(|ui| menus(ui, session, shared, out));
+    ui.add_space(2.0);
+}
+
+/// Shows the two menus.
+pub(in crate::panels) fn menus(
+    ui: &mut Ui,
+    session: &Session,
+    shared: &IndexMap<LightId, SharedLight>,
+    out: &mut Vec<Command>,
+) {
+    let menu = ui.menu_button("Add light", |ui| {
+        for &kind in LightKind::ALL {
+            let button = ui.button(spoken(kind.word()));
+            if button.on_hover_text(spoken(kind.help())).clicked() {
+                let near = Light {
+                    position: [1.5, 1.5, 2.0],
+                    aim: [-0.5, -0.5, -0.7],
+                    ..Light::default()
+                };
+                let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
+                let id = Owner::Look.free_id(session, "light");
+                out.push(Owner::Look.add(id, light, None).once());
+                ui.close();
             }
-        });
-        menu.response.on_hover_text("Adds a light that layers can name");
-        if session.open_scene().is_none() {
-            return;
         }
-        let menu = ui.menu_button("Add scene light", |ui| {
-            let mut has_any = false;
-            for (id, shared) in free(session, shared) {
-                has_any = true;
-                let name = light_name(id, &shared.light);
-                let button =
-                    ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
-                if button.clicked() {
-                    out.push(Owner::Scene.add(id.clone(), shared.light.clone(), None).once());
-                    ui.close();
-                }
+    });
+    menu.response.on_hover_text("Adds a light that layers can name");
+    if session.open_scene().is_none() {
+        return;
+    }
+    let menu = ui.menu_button("Add scene light", |ui| {
+        let mut has_any = false;
+        for (id, shared) in free(session, shared) {
+            has_any = true;
+            let name = light_name(id, &shared.light);
+            let button =
+                ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
+            if button.clicked() {
+                out.push(Owner::Scene.add(id.clone(), shared.light.clone(), None).once());
+                ui.close();
             }
-            if !has_any {
-                hint(ui, "Every light of the scene's looks has one in its place already.");
+        }
+        if !has_any {
+            hint(ui, "Every light of the scene's looks has one in its place already.");
+        }
+    });
+    menu.response
+        .on_hover_text("Adds a light of the scene, which stands in place of one that looks have");
+}
+
+/// Shows the buttons that lead to the other panels about lights.
+pub(in crate::panels) fn panels(ui: &mut Ui, out: &mut Vec<Command>) {
+    let all = [
+        (PanelId::LIGHT_TABLE, "Light table", "All lights and groups, field by field"),
+        (PanelId::MIXER, "Mixer", "The groups' masters, as faders"),
+        (PanelId::LINKS, "Links", "Which lights light which objects, and why"),
+    ];
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (panel, label, help) in all {
+            if ui.small_button(label).on_hover_text(help).clicked() {
+                out.push(Command::ShowPanel(panel));
             }
-        });
-        menu.response.on_hover_text(
-            "Adds a light of the scene, which stands in place of one that looks have",
-        );
+        }
     });
     ui.add_space(2.0);
 }

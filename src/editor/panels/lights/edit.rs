@@ -2,11 +2,11 @@
 
 use eframe::egui;
 use eframe::egui::{
-    ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
+    Color32, ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
 };
 
 use crate::commands::Command;
-use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace};
+use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
@@ -86,11 +86,16 @@ pub(crate) fn edit(
     });
 }
 
-fn groups_text(groups: &[LightGroup]) -> String {
+/// Groups in a line, with commas between them.
+pub(crate) fn groups_text(groups: &[LightGroup]) -> String {
     groups.iter().map(LightGroup::as_str).collect::<Vec<_>>().join(", ")
 }
 
-fn read_groups(text: &str) -> Result<Vec<LightGroup>, String> {
+/// Groups of a line, each once.
+///
+/// # Errors
+/// The word that is no group, and what to write.
+pub(crate) fn read_groups(text: &str) -> Result<Vec<LightGroup>, String> {
     let mut groups: Vec<LightGroup> = Vec::new();
     for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
         if !is_slug(word) {
@@ -141,7 +146,7 @@ fn value(
 
 /// Keeps a field that was set above its least value, and the fields bounded by it within the new
 /// value.
-fn keep_within(field: LightField, light: &mut Light) {
+pub(crate) fn keep_within(field: LightField, light: &mut Light) {
     let Some(number) = field.numbers_mut(light).first_mut() else { return };
     if field.is_above_range() {
         *number = number.max(LEAST_ABOVE);
@@ -206,18 +211,22 @@ fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
     (light.kind != before).then_some(id)
 }
 
-fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
-    let name = |space| match space {
+/// Display name of a frame.
+pub(crate) fn space_name(space: LightSpace) -> &'static str {
+    match space {
         LightSpace::Illumination => "Illumination frame",
         LightSpace::World => "World",
         LightSpace::Camera => "Camera",
         LightSpace::Object => "Object",
-    };
+    }
+}
+
+fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
     let before = light.space;
     let combo =
-        ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
+        ComboBox::from_id_salt("space").selected_text(space_name(light.space)).show_ui(ui, |ui| {
             for &space in LightSpace::ALL {
-                ui.selectable_value(&mut light.space, space, name(space));
+                ui.selectable_value(&mut light.space, space, space_name(space));
             }
         });
     let id = combo.response.labelled_by(label).id;
@@ -303,6 +312,22 @@ fn from_disc(p: Pos2, center: Pos2, radius: f32) -> [f64; 3] {
     let (x, y) = if distance > 1e-6 { (f64::from(d.x), f64::from(-d.y)) } else { (0.0, 0.0) };
     let scale = sin / x.hypot(y).max(1e-6);
     [x * scale, y * scale, cos].map(|x| (x * 1e3).round() / 1e3)
+}
+
+/// Color of a light as shown on the screen.
+pub(crate) fn swatch(light: &Light, space: ColorSpace) -> Color32 {
+    let value = Value::Vector(light.color.to_vec());
+    let [r, g, b, _] = match space {
+        ColorSpace::Display => value.color().unwrap_or([0.0, 0.0, 0.0, 1.0]),
+        ColorSpace::Linear => {
+            let encode =
+                |x: f64| f64::from(egui::ecolor::gamma_from_linear(x.clamp(0.0, 1.0) as f32));
+            let [r, g, b] = light.color.map(encode);
+            [r, g, b, 1.0]
+        }
+    };
+    let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    Color32::from_rgb(byte(r), byte(g), byte(b))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Lights of the look, and those of the scene around it: which of them shine, soloed or muted, and
 //! the fields of each.
 
-mod add;
+pub(super) mod add;
 mod edit;
 mod mixer;
 
@@ -10,26 +10,25 @@ use std::collections::HashMap;
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Align, Button, Color32, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense,
-    Ui, WidgetInfo, vec2,
+    Align, Button, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, Ui,
+    WidgetInfo, vec2,
 };
-use indexmap::IndexMap;
 
 use crate::commands::{Command, PanelId};
-use crate::document::{ColorSpace, Light, Value};
-use crate::fields::lighting::{OwnedLight, Owner, SharedLight, lights_of_looks};
+use crate::document::{Light, Value};
+use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::mix::{MixedLights, SceneMix};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::table::{PanelPlace, PanelRow};
-use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use crate::values;
 use crate::viewport::solo_bar;
 use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
-pub(crate) use edit::edit;
-use mixer::{MixedLights, Mixer};
+pub(crate) use edit::{edit, groups_text, keep_within, read_groups, space_name, swatch};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
@@ -48,10 +47,9 @@ pub(crate) struct Lights {
     renaming: Option<NameEdit<(Owner, LightId)>>,
     /// Number of the look's nodes that name each light.
     users: HashMap<LightId, usize>,
-    /// Lights of looks that lights of the scene can stand in for; empty without a scene.
-    shared: IndexMap<LightId, SharedLight>,
     mixed: MixedLights,
-    of: Option<(DocumentNumber, LookRevision, Option<PictureRevision>)>,
+    /// Document that a name is being changed in.
+    document: Option<DocumentNumber>,
 }
 
 impl Lights {
@@ -59,9 +57,13 @@ impl Lights {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         self.sync(session);
         let mut out = Vec::new();
-        add::bar(ui, session, &self.shared, &mut out);
+        add::bar(ui, session, self.mixed.shared(), &mut out);
+        add::panels(ui, &mut out);
         if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
             out.extend(solo_bar::show(ui, session));
+        }
+        if let Some(mix) = self.mix(session) {
+            mix.solo_note(ui, &mut out);
         }
         let of_scene = Owner::Scene.lights(session).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -78,16 +80,16 @@ impl Lights {
                 hint(ui, "The look has no lights. Layers need one each.");
             }
             self.list(ui, session, Owner::Look, &mut out);
-            if let Some(mixer) = self.mixer(session) {
-                mixer.show(ui, &mut out);
+            if let Some(mix) = self.mix(session) {
+                mixer::show(ui, mix, session.look().color_space, &mut out);
             }
         });
         out
     }
 
-    /// The mixer of the open scene.
-    fn mixer<'s>(&'s self, session: &'s Session) -> Option<Mixer<'s>> {
-        Mixer::of(session, &self.mixed)
+    /// The mix of the open scene.
+    fn mix<'s>(&'s self, session: &'s Session) -> Option<SceneMix<'s>> {
+        SceneMix::of(session, &self.mixed)
     }
 
     fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
@@ -108,20 +110,14 @@ impl Lights {
     }
 
     fn sync(&mut self, session: &Session) {
-        let of = (session.revisions().document, session.revision(), session.scene_revision());
-        if self.of == Some(of) {
-            return;
-        }
-        if self.of.is_none_or(|old| old.0 != of.0) {
+        let document = Some(session.revisions().document);
+        if self.document != document {
             self.renaming = None;
         }
-        self.of = Some(of);
-        self.shared =
-            if session.open_scene().is_some() { lights_of_looks(session) } else { IndexMap::new() };
-        self.mixed = session.open_scene().map_or_else(MixedLights::default, |open| {
-            let of_looks = self.shared.iter().map(|(id, shared)| (id, &shared.light));
-            MixedLights::of(open.scene(), of_looks)
-        });
+        self.document = document;
+        if !self.mixed.sync(session) {
+            return;
+        }
         self.users.clear();
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
@@ -202,7 +198,8 @@ impl Lights {
                 )
             }
             Owner::Scene => {
-                let count = self.shared.get(owned_light.id).map_or(0, |shared| shared.looks);
+                let count =
+                    self.mixed.shared().get(owned_light.id).map_or(0, |shared| shared.looks);
                 let none = "No look of the scene has a light of this id, so it lights nothing: let \
                             it stand in for one";
                 (
@@ -302,9 +299,9 @@ impl Lights {
         if ui.button("Duplicate light").on_hover_text(copy).clicked() {
             out.push(owned_light.duplicate(session).once());
         }
-        add::scene_menu(ui, session, owned_light, &self.shared, out);
-        if let Some(mixer) = self.mixer(session) {
-            mixer.menu(ui, owned_light.id, out);
+        add::scene_menu(ui, session, owned_light, self.mixed.shared(), out);
+        if let Some(mix) = self.mix(session) {
+            mixer::menu(ui, mix, owned_light.id, out);
         }
         ui.separator();
         if ui.add(Button::new("Remove light")).on_hover_text(removal).clicked() {
@@ -342,20 +339,4 @@ fn intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>, out: 
         let new = Light { intensity: value, ..light.clone() };
         out.push(owned_light.changed(session, light, &new).held(response.id));
     }
-}
-
-/// Color of a light as shown on the screen.
-fn swatch(light: &Light, space: ColorSpace) -> Color32 {
-    let value = Value::Vector(light.color.to_vec());
-    let [r, g, b, _] = match space {
-        ColorSpace::Display => value.color().unwrap_or([0.0, 0.0, 0.0, 1.0]),
-        ColorSpace::Linear => {
-            let encode =
-                |x: f64| f64::from(egui::ecolor::gamma_from_linear(x.clamp(0.0, 1.0) as f32));
-            let [r, g, b] = light.color.map(encode);
-            [r, g, b, 1.0]
-        }
-    };
-    let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
-    Color32::from_rgb(byte(r), byte(g), byte(b))
 }

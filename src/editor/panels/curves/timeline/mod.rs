@@ -24,7 +24,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::TIMELINE,
     "Timeline",
     "Values that change with time: keys, play, scrub",
-    PanelPlace { is_below_graph: true, ..PanelPlace::BELOW_PICTURE_WITH_CURVES.closed() },
+    PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
 )
 .with_each_frame(|bench, ui, _, presence| {

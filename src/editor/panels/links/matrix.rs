@@ -1,0 +1,141 @@
+//! Matrix of lights and objects, resolved as rendering and `chiaro lights --matrix` resolve it, on
+//! a thread of its own: the looks that an object wears follow from its mesh.
+
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
+
+use indexmap::IndexMap;
+
+use super::relation::Relation;
+use crate::document::{Light, LightLink, LinkRule};
+use crate::frame::{Assets, Setup};
+use crate::ids::{LightId, ObjectId};
+use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
+use crate::state::session::Session;
+use crate::state::snapshot::RenderSnapshot;
+use crate::state::worker::{BackgroundJobs, Worker};
+
+/// Most pairs of a light and an object that are resolved for the window.
+const MOST_PAIRS: usize = 1_000_000;
+
+/// State of the documents that a matrix is of.
+type MatrixKey = (DocumentNumber, LookRevision, Option<PictureRevision>);
+
+/// Relation of a light to an object, with the rule that decides in words.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LinkState {
+    pub(super) is_so: bool,
+    pub(super) rule: String,
+}
+
+/// Lights and objects of a setup, with what decides between each two.
+#[derive(Debug, Default)]
+pub(super) struct LinkMatrix {
+    /// Which lights reach which objects; lights that no look of the object has are not there.
+    reach: HashMap<ObjectId, IndexMap<LightId, LinkState>>,
+    /// Which lights' shadows an object casts, and onto which objects.
+    casts: IndexMap<ObjectId, (IndexMap<LightId, LinkState>, BTreeSet<ObjectId>)>,
+    /// True if there are too many lights and objects to resolve them here.
+    pub(super) is_too_large: bool,
+}
+
+impl LinkMatrix {
+    /// Resolves a setup.
+    fn of(setup: &Setup) -> Self {
+        let lights = setup.all_lights();
+        if lights.len().saturating_mul(setup.objects.len()) > MOST_PAIRS {
+            return Self { is_too_large: true, ..Self::default() };
+        }
+        let mut matrix = Self::default();
+        for found in setup.light_reach() {
+            let state = LinkState { is_so: found.reaches, rule: found.words };
+            matrix.reach.entry(found.object).or_default().insert(found.light, state);
+        }
+        for object in &setup.objects {
+            let shadow = &object.shadow_link;
+            let link =
+                LightLink { linked: shadow.shadowed.clone(), unlinked: shadow.unshadowed.clone() };
+            let states = shadow_states(&link, &lights);
+            let onto = shadow.objects(&setup.scene.objects);
+            matrix.casts.insert(object.id.clone(), (states, onto));
+        }
+        matrix
+    }
+
+    /// Relation of a light to an object; `None` where neither is there for the other.
+    pub(super) fn state(
+        &self,
+        relation: Relation,
+        object: &ObjectId,
+        light: &LightId,
+    ) -> Option<&LinkState> {
+        match relation {
+            Relation::Light => self.reach.get(object)?.get(light),
+            Relation::Shadow => self.casts.get(object)?.0.get(light),
+        }
+    }
+
+    /// Objects that cast a light's shadow onto an object, where the light reaches it.
+    pub(super) fn casters(&self, object: &ObjectId, light: &LightId) -> Vec<&ObjectId> {
+        let is_lit = self.state(Relation::Light, object, light).is_some_and(|state| state.is_so);
+        let casts = |(states, onto): &(IndexMap<LightId, LinkState>, BTreeSet<ObjectId>)| {
+            onto.contains(object) && states.get(light).is_some_and(|state| state.is_so)
+        };
+        let all = self.casts.iter().filter(|_| is_lit);
+        all.filter(|(_, found)| casts(found)).map(|(id, _)| id).collect()
+    }
+}
+
+/// Relation of each light to an object that casts shadows by a link.
+fn shadow_states(
+    link: &LightLink,
+    lights: &IndexMap<LightId, Light>,
+) -> IndexMap<LightId, LinkState> {
+    let state = |rule| LinkState {
+        is_so: rule == LinkRule::Linked,
+        rule: Relation::Shadow.words(link, rule),
+    };
+    link.rules(lights).into_iter().map(|(id, rule)| (id, state(rule))).collect()
+}
+
+/// Thread that resolves matrices, and the last one.
+pub(super) struct MatrixSource {
+    worker: Worker<RenderSnapshot, Option<Arc<LinkMatrix>>>,
+    asked: Option<MatrixKey>,
+    matrix: Arc<LinkMatrix>,
+}
+
+impl MatrixSource {
+    /// `wake` is called from the thread for each answer.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let worker = Worker::new("links", wake, |snapshot: RenderSnapshot| {
+            let setup = snapshot.setup(&mut Assets::of(&snapshot.assets)).ok()?;
+            Some(Arc::new(LinkMatrix::of(&setup.value)))
+        });
+        Self { worker, asked: None, matrix: Arc::default() }
+    }
+
+    /// The matrix of the last state of the documents that was resolved; a newer state is asked for.
+    pub(super) fn matrix(&mut self, session: &Session) -> Arc<LinkMatrix> {
+        for matrix in self.worker.answers() {
+            self.matrix = matrix.unwrap_or_default();
+        }
+        let key = (session.revisions().document, session.revision(), session.scene_revision());
+        if self.asked != Some(key) {
+            self.asked = Some(key);
+            let snapshot = session.snapshot_of(Arc::new(session.look().clone()));
+            self.worker.request(|_| snapshot);
+        }
+        self.matrix.clone()
+    }
+}
+
+impl BackgroundJobs for MatrixSource {
+    fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    fn wait(&self) {
+        self.worker.wait();
+    }
+}

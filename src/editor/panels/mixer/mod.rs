@@ -1,0 +1,61 @@
+//! Mixer of the open scene: a channel for each group of lights, as a mixing desk has them, with the
+//! group's master as a fader, its exposure, its tint, and what is muted or soloed.
+
+mod channel;
+
+use eframe::egui::{ScrollArea, Ui};
+
+use super::lights::add;
+use crate::commands::{Command, PanelId};
+use crate::fields::mix::{MixedLights, SceneMix};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::widgets::text::hint;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::MIXER,
+    "Mixer",
+    "The masters of the scene's groups of lights, as faders: dim, tint, mute and solo them",
+    PanelPlace::BELOW_GRAPH,
+    |bench, ui, context| bench.memory.of::<Mixer>().show(ui, context.session),
+);
+
+/// The panel and its state.
+#[derive(Default)]
+pub(crate) struct Mixer {
+    lights: MixedLights,
+}
+
+impl Mixer {
+    /// Shows a channel for each group.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        self.lights.sync(session);
+        let mut out = Vec::new();
+        let Some(mix) = SceneMix::of(session, &self.lights) else {
+            hint(ui, "A scene has the masters of groups: add an object, and there is one.");
+            add::panels(ui, &mut out);
+            return out;
+        };
+        mix.solo_note(ui, &mut out);
+        let groups = self.lights.groups(Some(mix.scene));
+        if groups.is_empty() {
+            hint(
+                ui,
+                "No light is of a group yet. Give lights groups in the light table, and each \
+                 group has a channel here.",
+            );
+            add::panels(ui, &mut out);
+            return out;
+        }
+        ScrollArea::both().auto_shrink([false, false]).id_salt("mixer").show(ui, |ui| {
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 6.0;
+                for group in &groups {
+                    let space = session.look().color_space;
+                    ui.push_id(group, |ui| channel::show(ui, mix, group, space, &mut out));
+                }
+            });
+        });
+        out
+    }
+}
