@@ -1,5 +1,4 @@
-//! The cells on the screen: where they stand, how they look, and what the pointer and the keyboard
-//! do with them.
+//! Cells on the screen, and what the pointer does with them.
 //!
 //! Cells are painted and not made of widgets each, so that a thousand lights cost what is seen. The
 //! head stays at the top and the first columns at the left, in areas of their own over the others.
@@ -7,28 +6,24 @@
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, Event, EventFilter, FontId, Id, Key, Modifiers, Popup, PopupCloseBehavior,
-    Pos2, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo,
-    pos2, vec2,
+    Align2, FontId, Id, Key, Popup, PopupCloseBehavior, Rect, Response, Role, ScrollArea, Sense,
+    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::change::{CellChanges, Entry, form_of};
+use super::change::{CellChanges, Entry};
 use super::column::Column;
-use super::selection::{CellSelection, Place, Shown};
-use super::sheet::{Cell, CellValue, Origin, Row, Sheet};
-use super::{editing::CellEdit, menu};
+use super::editing::CellEdit;
+use super::layout::{CellLayout, HEAD, ROW};
+use super::selection::{CellSelection, Place, ShownCells};
+use super::sheet::{Cell, CellValue, Sheet};
+use super::{menu, paint};
 use crate::commands::Command;
-use crate::document::{LightKind, LightSpace, Target};
-use crate::fields::mark;
+use crate::document::{LightKind, LightSpace};
 use crate::panels::lights::space_name;
-use crate::state::keying::KeyedBy;
 use crate::state::reading::spoken;
-use crate::widgets::rows::{Icon, draw, leave_with_pointer, picture_frame, undo_keys};
+use crate::widgets::rows::leave_with_pointer;
 use crate::widgets::text::cell as text_cell;
 use crate::widgets::{color, theme};
-
-const ROW: f32 = 22.0;
-const HEAD: f32 = 22.0;
 
 /// State of the cells on the screen.
 #[derive(Default)]
@@ -40,75 +35,15 @@ pub(super) struct CellGrid {
     /// True while the pointer draws a selection.
     is_dragging: bool,
     /// True if the cursor's cell is to be scrolled into view, with the keyboard's focus.
-    follows: bool,
+    pub(super) follows: bool,
     /// Column that its head's menu hides.
     pub(super) hidden: Option<Column>,
     /// Width of the columns that stay at the left edge.
     pinned: f32,
 }
 
-/// Where the cells stand.
-struct Layout<'s> {
-    shown: Shown<'s>,
-    /// Left edges of the columns from the table's own, and the right edge of the last.
-    lefts: Vec<f32>,
-    /// Number of columns that stay at the left edge.
-    pinned: usize,
-    /// Upper left corner of the cells, which goes with scrolling.
-    origin: Pos2,
-    /// Part of the screen that is seen.
-    seen: Rect,
-}
-
-impl Layout<'_> {
-    fn left_of(&self, column: usize) -> f32 {
-        let from = if column < self.pinned { self.seen.left() } else { self.origin.x };
-        from + self.lefts[column]
-    }
-
-    fn rect(&self, row: usize, column: usize) -> Rect {
-        let width = self.lefts[column + 1] - self.lefts[column];
-        let top = self.origin.y + HEAD + row as f32 * ROW;
-        Rect::from_min_size(pos2(self.left_of(column), top), vec2(width, ROW))
-    }
-
-    fn head(&self, column: usize) -> Rect {
-        let width = self.lefts[column + 1] - self.lefts[column];
-        Rect::from_min_size(pos2(self.left_of(column), self.seen.top()), vec2(width, HEAD))
-    }
-
-    /// Width of the columns that stay.
-    fn pinned_width(&self) -> f32 {
-        self.lefts[self.pinned]
-    }
-
-    /// Area of the columns that stay, or of the others, without the head.
-    fn area(&self, is_pinned: bool) -> Rect {
-        let edge = (self.seen.left() + self.pinned_width()).min(self.seen.right());
-        let top = (self.seen.top() + HEAD).min(self.seen.bottom());
-        let body = Rect::from_min_max(pos2(self.seen.left(), top), self.seen.max);
-        if is_pinned { body.with_max_x(edge) } else { body.with_min_x(edge) }
-    }
-
-    fn columns(&self, is_pinned: bool) -> std::ops::Range<usize> {
-        if is_pinned { 0..self.pinned } else { self.pinned..self.shown.columns.len() }
-    }
-
-    /// The cell nearest to a point.
-    fn nearest(&self, at: Pos2) -> Option<Place> {
-        let rows = self.shown.rows.len().checked_sub(1)?;
-        let row = ((at.y - self.origin.y - HEAD) / ROW).max(0.0) as usize;
-        let is_pinned = at.x < self.seen.left() + self.pinned_width();
-        let columns = self.columns(is_pinned);
-        let is_right_of = |column: &usize| self.left_of(*column) <= at.x;
-        let column = columns.clone().rev().find(is_right_of).unwrap_or(columns.start);
-        let row = self.shown.rows.get(row.min(rows))?.clone();
-        Some((row, *self.shown.columns.get(column)?))
-    }
-}
-
 /// Id of a cell's widget.
-fn id_of(place: &Place) -> Id {
+pub(super) fn id_of(place: &Place) -> Id {
     Id::unique("cell of the light table").with(place)
 }
 
@@ -118,7 +53,7 @@ impl CellGrid {
         &mut self,
         ui: &mut Ui,
         sheet: Sheet<'_>,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         out: &mut Vec<Command>,
     ) {
         self.selection.keep(shown);
@@ -134,7 +69,8 @@ impl CellGrid {
         let area = ScrollArea::both().auto_shrink([false, false]).id_salt("light table");
         area.show(ui, |ui| {
             let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
-            let layout = Layout { shown, lefts, pinned, origin: whole.min, seen: ui.clip_rect() };
+            let layout =
+                CellLayout { shown, lefts, pinned, origin: whole.min, seen: ui.clip_rect() };
             self.pinned = layout.pinned_width();
             self.keys(ui, sheet, shown, out);
             self.drag(ui, &layout);
@@ -157,7 +93,7 @@ impl CellGrid {
         &mut self,
         ui: &mut Ui,
         sheet: Sheet<'_>,
-        layout: &Layout<'_>,
+        layout: &CellLayout<'_>,
         is_pinned: bool,
         out: &mut Vec<Command>,
     ) {
@@ -168,19 +104,18 @@ impl CellGrid {
         if is_pinned {
             ui.painter().rect_filled(area, 0.0, theme::of(ui).panel);
         }
-        let cursor = self.selection.cursor().cloned();
         for (y, row) in layout.shown.rows.iter().enumerate() {
             let top = layout.rect(y, 0).top();
             let is_seen = top + ROW > area.top() && top < area.bottom();
             // The cursor's cell has the keyboard also where it is scrolled away.
-            let is_at = cursor.as_ref().is_some_and(|(at, _)| at == row);
+            let is_at = self.selection.cursor().is_some_and(|(at, _)| at == row);
             if !is_seen && !is_at {
                 continue;
             }
             for x in layout.columns(is_pinned) {
                 let rect = layout.rect(y, x);
                 let place = (row.clone(), layout.shown.columns[x]);
-                let is_cursor = cursor.as_ref() == Some(&place);
+                let is_cursor = self.selection.cursor() == Some(&place);
                 if is_cursor || is_seen && rect.intersects(area) {
                     self.cell(ui, sheet, layout.shown, (rect, &place), is_cursor, out);
                 }
@@ -198,7 +133,7 @@ impl CellGrid {
         &mut self,
         ui: &mut Ui,
         sheet: Sheet<'_>,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         (rect, place): (Rect, &Place),
         is_cursor: bool,
         out: &mut Vec<Command>,
@@ -215,7 +150,7 @@ impl CellGrid {
             info.current_text_value = Some(text.clone().unwrap_or_else(|| "none".to_owned()));
             info
         });
-        paint(ui, sheet, rect, place, &cell, is_selected);
+        paint::cell(ui, sheet, rect, place, &cell, is_selected);
         if is_cursor {
             let color = theme::of(ui).accent;
             let width = if response.has_focus() { 1.5 } else { 1.0 };
@@ -235,7 +170,7 @@ impl CellGrid {
             menu::show(ui, sheet, shown, self, place, out);
         });
         if !response.context_menu_opened() {
-            response.on_hover_ui(|ui| help(ui, sheet, place, &cell));
+            response.on_hover_ui(|ui| paint::help(ui, sheet, place, &cell));
         }
     }
 
@@ -244,7 +179,7 @@ impl CellGrid {
         &mut self,
         ui: &Ui,
         sheet: Sheet<'_>,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         place: &Place,
         (response, cell): (&Response, &Cell),
         out: &mut Vec<Command>,
@@ -277,7 +212,7 @@ impl CellGrid {
     }
 
     /// Extends the selection to the cell under the pointer, while that draws it.
-    fn drag(&mut self, ui: &Ui, layout: &Layout<'_>) {
+    fn drag(&mut self, ui: &Ui, layout: &CellLayout<'_>) {
         if !ui.input(|input| input.pointer.primary_down()) {
             self.is_dragging = false;
         }
@@ -290,85 +225,6 @@ impl CellGrid {
         {
             self.selection.extend(layout.shown, place);
             self.follows = true;
-        }
-    }
-
-    fn keys(&mut self, ui: &Ui, sheet: Sheet<'_>, shown: Shown<'_>, out: &mut Vec<Command>) {
-        let Some(place) = self.selection.cursor().cloned() else { return };
-        let id = id_of(&place);
-        if self.editing.is_some() || !ui.memory(|memory| memory.has_focus(id)) {
-            return;
-        }
-        let arrows =
-            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..<_>::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
-        undo_keys(ui, out);
-        let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-        for (key, by) in [
-            (Key::ArrowUp, [-1, 0]),
-            (Key::ArrowDown, [1, 0]),
-            (Key::ArrowLeft, [0, -1]),
-            (Key::ArrowRight, [0, 1]),
-            (Key::PageUp, [-10, 0]),
-            (Key::PageDown, [10, 0]),
-            (Key::Home, [0, -1000]),
-            (Key::End, [0, 1000]),
-        ] {
-            for (modifiers, extends) in [(Modifiers::SHIFT, true), (Modifiers::NONE, false)] {
-                if pressed(modifiers, key) {
-                    self.selection.step(shown, by, extends);
-                    self.follows = true;
-                }
-            }
-        }
-        if pressed(Modifiers::COMMAND, Key::A) {
-            self.selection.select_more(shown);
-        }
-        let value = sheet.cell(&place.0, place.1).value;
-        if let Some(CellValue::Switch(is_on)) = value {
-            if pressed(Modifiers::NONE, Key::Space) || pressed(Modifiers::NONE, Key::Enter) {
-                self.enter(sheet, shown, &Entry::Switch(!is_on), None, out);
-            }
-        } else if pressed(Modifiers::NONE, Key::Enter) || pressed(Modifiers::NONE, Key::F2) {
-            self.begin(ui, sheet, &place, None);
-        }
-        if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
-            self.enter(sheet, shown, &Entry::Reset, None, out);
-        }
-        self.clipboard(ui, sheet, shown, out);
-        self.typing(ui, sheet, &place, out);
-    }
-
-    fn clipboard(&mut self, ui: &Ui, sheet: Sheet<'_>, shown: Shown<'_>, out: &mut Vec<Command>) {
-        let is_it = |event: &Event| matches!(event, Event::Copy | Event::Cut | Event::Paste(_));
-        let events: Vec<Event> = ui.input_mut(|input| {
-            let (taken, left) = std::mem::take(&mut input.events).into_iter().partition(is_it);
-            input.events = left;
-            taken
-        });
-        for event in events {
-            match event {
-                Event::Paste(text) => self.paste(sheet, shown, &text, out),
-                _ => out.push(Command::Copy(self.copied(sheet, shown))),
-            }
-        }
-    }
-
-    /// Begins an edit with the first letter that is typed; K keys the cells.
-    fn typing(&mut self, ui: &Ui, sheet: Sheet<'_>, place: &Place, out: &mut Vec<Command>) {
-        let typed = ui.input(|input| {
-            input.events.iter().find_map(|event| match event {
-                Event::Text(text) => Some(text.clone()),
-                _ => None,
-            })
-        });
-        let Some(typed) = typed.filter(|typed| !typed.trim().is_empty()) else { return };
-        let keys_value = place.1.field().is_some() && typed.eq_ignore_ascii_case("k");
-        ui.input_mut(|input| input.events.retain(|event| !matches!(event, Event::Text(_))));
-        if keys_value {
-            out.extend(self.keying(sheet));
-        } else if !place.1.is_switch() {
-            self.begin(ui, sheet, place, Some(typed));
         }
     }
 
@@ -397,7 +253,7 @@ impl CellGrid {
         &mut self,
         ui: &Ui,
         sheet: Sheet<'_>,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         place: &Place,
         (response, cell): (&Response, &Cell),
         out: &mut Vec<Command>,
@@ -452,7 +308,7 @@ impl CellGrid {
         &mut self,
         ui: &mut Ui,
         sheet: Sheet<'_>,
-        layout: &Layout<'_>,
+        layout: &CellLayout<'_>,
         out: &mut Vec<Command>,
     ) {
         let Some(edit) = &mut self.editing else { return };
@@ -473,7 +329,7 @@ impl CellGrid {
         }
     }
 
-    fn heads(&mut self, ui: &mut Ui, layout: &Layout<'_>, is_pinned: bool) {
+    fn heads(&mut self, ui: &mut Ui, layout: &CellLayout<'_>, is_pinned: bool) {
         let body = layout.area(is_pinned);
         let area = Rect::from_min_max(pos2(body.left(), layout.seen.top()), body.right_top());
         let mut ui = ui.new_child(UiBuilder::new().max_rect(area).id_salt(("heads", is_pinned)));
@@ -486,7 +342,7 @@ impl CellGrid {
         }
     }
 
-    fn head(&mut self, ui: &mut Ui, rect: Rect, column: Column, shown: Shown<'_>) {
+    fn head(&mut self, ui: &mut Ui, rect: Rect, column: Column, shown: ShownCells<'_>) {
         let id = Id::unique("head of the light table").with(column);
         let response = ui.interact(rect, id, Sense::click());
         let name = format!("Sort by {}", column.label());
@@ -541,7 +397,7 @@ impl CellGrid {
     pub(super) fn enter(
         &mut self,
         sheet: Sheet<'_>,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         entry: &Entry,
         held: Option<Id>,
         out: &mut Vec<Command>,
@@ -551,214 +407,5 @@ impl CellGrid {
             changes.set(&row, column, entry);
         }
         out.extend(changes.commands(held));
-    }
-
-    fn paste(&self, sheet: Sheet<'_>, shown: Shown<'_>, text: &str, out: &mut Vec<Command>) {
-        let lines: Vec<Vec<&str>> = text
-            .trim_end_matches(['\n', '\r'])
-            .lines()
-            .map(|line| line.split('\t').collect())
-            .collect();
-        let width = lines.iter().map(Vec::len).max().unwrap_or_default();
-        let mut changes = CellChanges::new(sheet);
-        for ((row, column), [y, x]) in self.selection.covered(shown, [lines.len(), width]) {
-            if let Some(text) = lines[y].get(x) {
-                changes.set(&row, column, &Entry::Text((*text).to_owned()));
-            }
-        }
-        out.extend(changes.commands(None));
-    }
-
-    /// Selected cells as a text: a line a row, with tabs between columns.
-    pub(super) fn copied(&self, sheet: Sheet<'_>, shown: Shown<'_>) -> String {
-        let text = |place: Option<Place>| {
-            let value = place.and_then(|(row, column)| sheet.cell(&row, column).value);
-            value.map(|value| value.text(sheet.session)).unwrap_or_default()
-        };
-        let line = |line: Vec<Option<Place>>| line.into_iter().map(text).collect::<Vec<_>>();
-        let lines = self.selection.lines(shown).into_iter();
-        lines.map(|cells| line(cells).join("\t")).collect::<Vec<_>>().join("\n")
-    }
-
-    /// Targets of the selected cells that keys of the look can move.
-    pub(super) fn targets(&self, sheet: Sheet<'_>) -> Vec<Target> {
-        let rows = sheet.rows(None, None);
-        let mut found = Vec::new();
-        for row in &rows {
-            let Row::Light(id) = row else { continue };
-            let is_of_scene = sheet.session.keys().light_of_scene(id).is_some();
-            for column in Column::all().filter(|column| self.selection.has(&(row.clone(), *column)))
-            {
-                let Some(field) = column.field() else { continue };
-                let keyed = sheet.keyed(id, field);
-                let free = sheet.target(id, field).filter(|_| !is_of_scene);
-                let is_there = sheet.cell(row, column).value.is_some();
-                found.extend(keyed.or(free).filter(|_| is_there));
-            }
-        }
-        found
-    }
-
-    /// Command that keys the selected cells at the playhead, as one step.
-    pub(super) fn keying(&self, sheet: Sheet<'_>) -> Vec<Command> {
-        let keys = sheet.session.keys();
-        let is_free = |target: &Target| !matches!(keys.keyed_by(target), KeyedBy::Direction(_));
-        let targets: Vec<Target> = self.targets(sheet).into_iter().filter(is_free).collect();
-        let edits: Vec<_> = targets.iter().filter_map(|target| keys.key_in_time(target)).collect();
-        if edits.is_empty() {
-            let text = "None of these cells can be keyed in time: keys move the lights of the open \
-                        look, where no light of the scene stands in their place";
-            return vec![Command::Tell(text.to_owned())];
-        }
-        let count = edits.len();
-        let are = if count == 1 { "value is" } else { "values are" };
-        vec![
-            Command::Edit(crate::document::Edit::Group { edits }),
-            Command::Tell(format!("{count} {are} keyed at the playhead")),
-        ]
-    }
-}
-
-/// Paints a cell.
-fn paint(ui: &Ui, sheet: Sheet<'_>, rect: Rect, place: &Place, cell: &Cell, is_selected: bool) {
-    let (row, column) = place;
-    let colors = theme::of(ui);
-    let is_group = matches!(row, Row::Group(_));
-    if is_group {
-        ui.painter().rect_filled(rect, 0.0, colors.node);
-    }
-    if is_selected {
-        ui.painter().rect_filled(rect, 0.0, colors.accent_dim.gamma_multiply(0.75));
-    }
-    let inner = rect.shrink2(vec2(6.0, 2.0));
-    let Some(value) = &cell.value else {
-        let color = colors.dim.gamma_multiply(0.5);
-        let font = FontId::proportional(theme::TEXT_SIZE);
-        let at = if column.is_number() { inner.right_center() } else { inner.left_center() };
-        let align = if column.is_number() { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
-        ui.painter().text(at, align, "–", font, color);
-        return;
-    };
-    if let CellValue::Switch(is_on) = value {
-        let is_solo = *column == Column::Solo;
-        let icon = if is_solo { Icon::Solo } else { Icon::Bulb };
-        let ink = match (is_solo, is_on) {
-            (true, true) => {
-                ui.painter().rect_filled(rect.shrink(3.0), 4.0, colors.accent);
-                colors.panel
-            }
-            (true, false) => colors.dim.gamma_multiply(0.6),
-            (false, true) if cell.overridden.is_none() => colors.text,
-            _ => colors.dim,
-        };
-        draw(ui.painter(), icon, rect.center(), ink, *is_on);
-        return;
-    }
-    let is_out = cell.overridden.as_ref().is_some_and(|by| by.left.is_none());
-    let is_quiet = is_out || cell.origin == Origin::Inherited || *column == Column::Id;
-    let ink = if is_quiet { colors.dim } else { colors.text };
-    let mut inner = inner;
-    if cell.origin == Origin::Keyed {
-        keyed_mark(ui, sheet, place, &mut inner);
-    }
-    let swatch = match value {
-        CellValue::Color(color) => Some(seen(sheet, *color)),
-        _ if *column == Column::Name => sheet.swatch(row),
-        _ => None,
-    };
-    if let Some(color) = swatch {
-        let side = vec2(14.0, 14.0);
-        let at = Rect::from_center_size(inner.left_center() + vec2(7.0, 0.0), side);
-        ui.painter().rect_filled(at, 3.0, color);
-        picture_frame(ui, at);
-        inner.min.x = at.right() + 5.0;
-    }
-    let text = value.text(sheet.session);
-    let left = cell.overridden.as_ref().and_then(|by| by.left.as_ref());
-    if let Some(CellValue::Color(color)) = left {
-        // What the tint leaves of the color stands beside it.
-        let at = Rect::from_center_size(inner.right_center() - vec2(5.0, 0.0), vec2(10.0, 14.0));
-        ui.painter().rect_filled(at, 2.0, seen(sheet, *color));
-        picture_frame(ui, at);
-        inner.max.x = at.left() - 4.0;
-    } else if let Some(left) = left {
-        let font = FontId::proportional(theme::SMALL_TEXT);
-        let text = format!("→ {}", left.text(sheet.session));
-        let at = ui.painter().text(
-            inner.right_center(),
-            Align2::RIGHT_CENTER,
-            text,
-            font,
-            colors.accent,
-        );
-        inner.max.x = at.left() - 4.0;
-    }
-    let format = egui::text::TextFormat {
-        font_id: FontId::proportional(theme::TEXT_SIZE),
-        color: ink,
-        italics: cell.origin == Origin::Inherited && !is_group,
-        strikethrough: if is_out { Stroke::new(1.0, ink) } else { Stroke::NONE },
-        ..<_>::default()
-    };
-    let mut job = egui::text::LayoutJob::single_section(text, format);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(inner.width().max(0.0));
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let x = match column.is_number() {
-        true => inner.right() - galley.size().x,
-        false => inner.left(),
-    };
-    let at = pos2(x, inner.center().y - galley.size().y / 2.0);
-    ui.painter().galley(at, galley, ink);
-}
-
-/// Paints the diamond of a keyed cell, and takes its room.
-fn keyed_mark(ui: &Ui, sheet: Sheet<'_>, (row, column): &Place, inner: &mut Rect) {
-    let (Row::Light(id), Some(field)) = (row, column.field()) else { return };
-    let Some(target) = sheet.target(id, field) else { return };
-    let (fill, edge) = mark::inks(ui, sheet.session, &target);
-    mark::diamond(ui, inner.left_center() + vec2(4.0, 0.0), 4.0, fill, edge);
-    inner.min.x += 12.0;
-}
-
-fn seen(sheet: Sheet<'_>, color: [f64; 3]) -> Color32 {
-    let light = crate::document::Light { color, ..<_>::default() };
-    crate::panels::lights::swatch(&light, sheet.session.look().color_space)
-}
-
-/// Shows what a cell is, where its value comes from, and how it is changed.
-fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &Cell) {
-    ui.set_max_width(320.0);
-    ui.strong(format!("{} of {}", column.label(), sheet.full_name(row)));
-    let dim = theme::of(ui).dim;
-    if cell.value.is_none() {
-        let text = match (row, sheet.scene()) {
-            (Row::Group(group), None) => {
-                let (count, _) = sheet.count(group);
-                format!(
-                    "{count} lights. Groups have masters in scenes: add an object to begin one."
-                )
-            }
-            (Row::Group(_), _) => "Groups have no such field".to_owned(),
-            (Row::Light(_), _) => "Lights of this type have no such field".to_owned(),
-        };
-        ui.label(egui::RichText::new(text).color(dim));
-        return;
-    }
-    ui.label(sheet.origin_words(row, *column, cell));
-    if let Some(by) = &cell.overridden {
-        ui.label(egui::RichText::new(&by.by).color(theme::of(ui).accent));
-    }
-    ui.label(egui::RichText::new(column.help()).color(dim));
-    let keys = match (column.is_switch(), form_of(*column).is_some()) {
-        (true, _) => "A click or Space turns all selected ones",
-        (_, true) => {
-            "Enter or double click to change all selected cells; or type: 0.5, *1.2, +0.1, 50%. \
-             K keys them, Delete resets them."
-        }
-        _ if *column == Column::Id => "",
-        _ => "Enter or double click to change all selected cells; or just type",
-    };
-    if !keys.is_empty() {
-        ui.label(egui::RichText::new(keys).small().color(dim));
     }
 }

@@ -5,7 +5,7 @@ use eframe::egui::Ui;
 use super::change::Entry;
 use super::column::Column;
 use super::grid::CellGrid;
-use super::selection::{Place, Shown};
+use super::selection::{Place, ShownCells};
 use super::sheet::{Row, Sheet};
 use crate::commands::{Command, SceneCommand};
 use crate::document::SceneEdit;
@@ -18,7 +18,7 @@ use crate::library::Type;
 pub(super) fn show(
     ui: &mut Ui,
     sheet: Sheet<'_>,
-    shown: Shown<'_>,
+    shown: ShownCells<'_>,
     grid: &mut CellGrid,
     place: &Place,
     out: &mut Vec<Command>,
@@ -96,7 +96,7 @@ fn keys(
 }
 
 /// Lights of the scene in selected rows that stand in place of a look's.
-fn replaced(sheet: Sheet<'_>, shown: Shown<'_>, grid: &CellGrid) -> Vec<LightId> {
+fn replaced(sheet: Sheet<'_>, shown: ShownCells<'_>, grid: &CellGrid) -> Vec<LightId> {
     let is_selected = |row: &&Row| {
         shown.columns.iter().any(|column| grid.selection.has(&((*row).clone(), *column)))
     };

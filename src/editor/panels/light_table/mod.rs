@@ -10,7 +10,10 @@ mod change;
 mod column;
 mod editing;
 mod grid;
+mod keyboard;
+mod layout;
 mod menu;
+mod paint;
 mod selection;
 mod sheet;
 mod typed;
@@ -31,7 +34,7 @@ use crate::widgets::text::hint;
 use crate::widgets::theme;
 use column::Column;
 use grid::CellGrid;
-use selection::Shown;
+use selection::ShownCells;
 use sheet::{Row, Sheet};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -86,7 +89,7 @@ impl LightTable {
             return out;
         }
         let columns: Vec<Column> = Column::all().filter(|column| self.is_shown(*column)).collect();
-        let shown = Shown { rows: &rows, columns: &columns };
+        let shown = ShownCells { rows: &rows, columns: &columns };
         self.grid.show(ui, sheet, shown, &mut out);
         if let Some(column) = self.grid.hidden.take() {
             self.columns.insert(column, false);

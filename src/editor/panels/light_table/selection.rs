@@ -20,12 +20,12 @@ pub(super) struct CellSelection {
 
 /// Cells of the table as they are shown: rows from top to bottom, columns from left to right.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shown<'s> {
+pub(super) struct ShownCells<'s> {
     pub(super) rows: &'s [Row],
     pub(super) columns: &'s [Column],
 }
 
-impl Shown<'_> {
+impl ShownCells<'_> {
     /// Row and column of a cell, counted from 0.
     fn indices(&self, (row, column): &Place) -> Option<[usize; 2]> {
         let row = self.rows.iter().position(|shown| shown == row)?;
@@ -66,7 +66,7 @@ impl CellSelection {
     }
 
     /// Selects the cells between the anchor and a cell, which the cursor goes to.
-    pub(super) fn extend(&mut self, shown: Shown<'_>, place: Place) {
+    pub(super) fn extend(&mut self, shown: ShownCells<'_>, place: Place) {
         match &self.anchor {
             Some(anchor) => {
                 self.cells = shown.between(anchor, &place);
@@ -86,7 +86,7 @@ impl CellSelection {
     }
 
     /// Selects the cursor's column, or all cells where that is selected already.
-    pub(super) fn select_more(&mut self, shown: Shown<'_>) {
+    pub(super) fn select_more(&mut self, shown: ShownCells<'_>) {
         let Some((_, column)) = self.cursor else { return };
         let of = |columns: &[Column]| -> HashSet<Place> {
             let rows = shown.rows.iter();
@@ -97,7 +97,7 @@ impl CellSelection {
     }
 
     /// Selects all cells of a column.
-    pub(super) fn select_column(&mut self, shown: Shown<'_>, column: Column) {
+    pub(super) fn select_column(&mut self, shown: ShownCells<'_>, column: Column) {
         if let Some(first) = shown.rows.first() {
             self.set((first.clone(), column));
             self.cells = shown.rows.iter().map(|row| (row.clone(), column)).collect();
@@ -106,7 +106,7 @@ impl CellSelection {
 
     /// Moves the cursor by rows and columns, at most to the edges; with `extends` the selection
     /// grows with it.
-    pub(super) fn step(&mut self, shown: Shown<'_>, [down, right]: [isize; 2], extends: bool) {
+    pub(super) fn step(&mut self, shown: ShownCells<'_>, [down, right]: [isize; 2], extends: bool) {
         let Some(at) = self.cursor.as_ref().and_then(|cursor| shown.indices(cursor)) else {
             return;
         };
@@ -123,7 +123,7 @@ impl CellSelection {
     }
 
     /// Forgets cells that are no longer shown.
-    pub(super) fn keep(&mut self, shown: Shown<'_>) {
+    pub(super) fn keep(&mut self, shown: ShownCells<'_>) {
         let (rows, columns): (HashSet<&Row>, HashSet<Column>) =
             (shown.rows.iter().collect(), shown.columns.iter().copied().collect());
         let is_shown = |(row, column): &Place| rows.contains(row) && columns.contains(column);
@@ -136,7 +136,7 @@ impl CellSelection {
     }
 
     /// Selected cells as lines of the smallest table around them; `None` for cells between.
-    pub(super) fn lines(&self, shown: Shown<'_>) -> Vec<Vec<Option<Place>>> {
+    pub(super) fn lines(&self, shown: ShownCells<'_>) -> Vec<Vec<Option<Place>>> {
         let at: Vec<[usize; 2]> =
             self.cells.iter().filter_map(|place| shown.indices(place)).collect();
         let side = |index: usize| {
@@ -153,7 +153,7 @@ impl CellSelection {
     /// there on. Each with its line and column in what is pasted.
     pub(super) fn covered(
         &self,
-        shown: Shown<'_>,
+        shown: ShownCells<'_>,
         [height, width]: [usize; 2],
     ) -> Vec<(Place, [usize; 2])> {
         let lines = self.lines(shown);
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn selections_grow_and_are_pasted_over() {
         let rows = rows();
-        let shown = Shown { rows: &rows, columns: &COLUMNS };
+        let shown = ShownCells { rows: &rows, columns: &COLUMNS };
         let mut selection = CellSelection::default();
         selection.set((rows[0].clone(), Column::Name));
         assert_eq!(selection.covered(shown, [2, 2]).len(), 4, "from one cell on");
@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(selection.len(), 3);
         selection.select_more(shown);
         assert_eq!(selection.len(), 9);
-        selection.keep(Shown { rows: &rows[..1], columns: &COLUMNS });
+        selection.keep(ShownCells { rows: &rows[..1], columns: &COLUMNS });
         assert_eq!((selection.len(), selection.cursor()), (3, None));
     }
 }

@@ -59,9 +59,9 @@ pub(super) enum Origin {
 /// Effect of the scene's mix, or of this window's solos, on a cell's value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Override {
-    /// What does it, in words.
+    /// Cause of it, in words.
     pub(super) by: String,
-    /// What is left of the value; `None` where the light is out.
+    /// Rest of the value; `None` where the light is out.
     pub(super) left: Option<CellValue>,
 }
 
@@ -260,14 +260,14 @@ impl<'s> Sheet<'s> {
         (!lights.is_empty() && lights.iter().all(|id| set.contains(id))) != is_muting
     }
 
-    /// What puts a light out.
+    /// Override by what puts a light out.
     fn why_dark(self, id: &LightId) -> Option<Override> {
         let here = self.session.view.solo.is_dark(id).then(|| "Out in this window".to_owned());
         let by = here.or_else(|| self.lights.told(id))?;
         Some(Override { by, left: None })
     }
 
-    /// What the mix does to a field.
+    /// Override of a field by the mix.
     fn overriding(self, id: &LightId, field: LightField, numbers: &[f64]) -> Option<Override> {
         if !matches!(field, LightField::Intensity | LightField::Color) {
             return None;
@@ -308,7 +308,7 @@ impl<'s> Sheet<'s> {
         Some(swatch(self.lights.lights().get(id)?, self.session.look().color_space))
     }
 
-    /// Where a cell's value comes from, in words.
+    /// Origin of a cell's value, in words.
     pub(super) fn origin_words(self, row: &Row, column: Column, cell: &Cell) -> String {
         let looks = |id: &LightId| self.lights.shared().get(id).map_or(0, |shared| shared.looks);
         match (row, cell.origin, column) {

@@ -11,7 +11,7 @@ enum RelativeChange {
     Addend(f64),
 }
 
-/// How a column's numbers are typed.
+/// Form in which a column's numbers are typed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NumberForm {
     /// Number shown for 1 in the document.

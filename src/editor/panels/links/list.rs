@@ -24,9 +24,9 @@ const RULES: usize = 12;
 /// Change that a mark asks for, and the objects that it is of.
 pub(super) type MarkedChange = (LinkChange, Vec<ObjectId>);
 
-/// How a row stands to what is selected in the other pane.
+/// Standing of a row to what is selected in the other pane.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Standing {
+struct RowStanding {
     /// Number of pairs in the relation.
     yes: usize,
     /// Number of all pairs.
@@ -39,7 +39,7 @@ struct Standing {
     shadows: String,
 }
 
-impl Standing {
+impl RowStanding {
     /// The standing of pairs of lights and objects.
     fn of<'p>(
         context: &PaneContext<'_>,
@@ -117,7 +117,7 @@ pub(super) fn lights(
         let row = rows[index];
         let all = lights_of(context, row);
         let pairs = all.iter().flat_map(|light| objects.iter().map(move |object| (light, object)));
-        let standing = (!objects.is_empty()).then(|| Standing::of(context, pairs));
+        let standing = (!objects.is_empty()).then(|| RowStanding::of(context, pairs));
         let (name, of) = match row {
             LightRow::Group(group) => (format!("group {group}"), "group"),
             LightRow::Light(id) => (context.mix.lights.name(id).to_owned(), "light"),
@@ -128,7 +128,8 @@ pub(super) fn lights(
         };
         let color = color.map(|light| swatch(light, context.space));
         let is_out = !context.mix.shines(&row.term());
-        let line = Line { name: &name, of, color, is_quiet: is_out, standing: standing.as_ref() };
+        let line =
+            PaneLine { name: &name, of, color, is_quiet: is_out, standing: standing.as_ref() };
         let (response, is_marked) = line.show(ui, chosen.contains(row), out);
         select(ui, &response, &rows, index, chosen);
         if let Some(standing) = standing.filter(|_| is_marked) {
@@ -167,10 +168,10 @@ pub(super) fn objects(
     pane(ui, "objects", rows.len(), |ui, index| {
         let id = rows[index];
         let pairs = all.iter().map(|light| (light, id));
-        let standing = (!lights.is_empty()).then(|| Standing::of(context, pairs));
+        let standing = (!lights.is_empty()).then(|| RowStanding::of(context, pairs));
         let is_hidden = context.open_scene.scene().objects.get(id).is_some_and(|o| !o.visible);
         let name = id.as_str();
-        let line = Line {
+        let line = PaneLine {
             name,
             of: "object",
             color: None,
@@ -237,27 +238,33 @@ fn select<T: Ord + Clone>(
 }
 
 /// Row of a pane.
-struct Line<'l> {
+struct PaneLine<'l> {
     name: &'l str,
     /// Word for what the row is.
     of: &'l str,
     color: Option<eframe::egui::Color32>,
     /// True for a light that is out, and for an object that is hidden.
     is_quiet: bool,
-    standing: Option<&'l Standing>,
+    standing: Option<&'l RowStanding>,
 }
 
-impl Line<'_> {
+impl PaneLine<'_> {
+    /// Name of the row with the word for what it is.
+    fn full_name(&self) -> String {
+        match self.of {
+            // A group's name begins with the word.
+            "group" => self.name.to_owned(),
+            of => format!("{of} {}", self.name),
+        }
+    }
+
     /// Shows the row. Returns its response, and true if its mark was clicked.
     fn show(&self, ui: &mut Ui, is_chosen: bool, out: &mut Vec<Command>) -> (Response, bool) {
         let width = ui.available_width() - 8.0;
         let (rect, response) = ui.allocate_exact_size(vec2(width, ROW), Sense::click());
         let rule = self.standing.map(|standing| standing.rule.clone()).unwrap_or_default();
         response.widget_info(|| {
-            let label = match self.of {
-                "group" => format!("Link {}", self.name),
-                of => format!("Link {of} {}", self.name),
-            };
+            let label = format!("Link {}", self.full_name());
             let mut info = WidgetInfo::selected(Role::ListItem, true, is_chosen, label);
             info.current_text_value = Some(rule.clone());
             info
@@ -303,11 +310,11 @@ impl Line<'_> {
     }
 
     /// Shows how the row stands to the selection. Returns true if a click asks to change that.
-    fn mark(&self, ui: &Ui, at: Rect, standing: &Standing) -> bool {
+    fn mark(&self, ui: &Ui, at: Rect, standing: &RowStanding) -> bool {
         let id = ui.scope_id().with("mark");
         let response = ui.interact(at, id, Sense::click());
         let is_all = standing.is_all();
-        let label = format!("{} {} is linked", self.of, self.name);
+        let label = format!("{} is linked", self.full_name());
         response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_all, &label));
         let colors = theme::of(ui);
         let (center, radius) = (at.center(), 5.0);

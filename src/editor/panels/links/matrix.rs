@@ -31,9 +31,9 @@ pub(super) struct LinkState {
 /// Lights and objects of a setup, with what decides between each two.
 #[derive(Debug, Default)]
 pub(super) struct LinkMatrix {
-    /// Which lights reach which objects; lights that no look of the object has are not there.
+    /// Lights that reach objects, and those that do not; lights that no look of the object has are not there.
     reach: HashMap<ObjectId, IndexMap<LightId, LinkState>>,
-    /// Which lights' shadows an object casts, and onto which objects.
+    /// Lights whose shadows an object casts or not, and objects that it casts them onto.
     casts: IndexMap<ObjectId, (IndexMap<LightId, LinkState>, BTreeSet<ObjectId>)>,
     /// True if there are too many lights and objects to resolve them here.
     pub(super) is_too_large: bool,

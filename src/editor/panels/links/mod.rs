@@ -71,7 +71,7 @@ pub(crate) struct Links {
     followed: Option<ObjectId>,
 }
 
-/// What both panes show.
+/// State that both panes show.
 struct PaneContext<'s> {
     open_scene: &'s OpenScene,
     mix: SceneMix<'s>,

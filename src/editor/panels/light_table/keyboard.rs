@@ -1,0 +1,172 @@
+//! Keyboard of the table, while the cursor's cell has the focus: moves, edits, the clipboard, keys.
+
+use eframe::egui::{Event, EventFilter, Key, Modifiers, Ui};
+
+use super::change::{CellChanges, Entry};
+use super::column::Column;
+use super::grid::{CellGrid, id_of};
+use super::selection::{Place, ShownCells};
+use super::sheet::{CellValue, Row, Sheet};
+use crate::commands::Command;
+use crate::document::{Edit, Target};
+use crate::state::keying::KeyedBy;
+use crate::widgets::rows::undo_keys;
+
+impl CellGrid {
+    /// Takes the keys of the cursor's cell.
+    pub(super) fn keys(
+        &mut self,
+        ui: &Ui,
+        sheet: Sheet<'_>,
+        shown: ShownCells<'_>,
+        out: &mut Vec<Command>,
+    ) {
+        let Some(place) = self.selection.cursor().cloned() else { return };
+        let id = id_of(&place);
+        if self.editing.is_some() || !ui.memory(|memory| memory.has_focus(id)) {
+            return;
+        }
+        let arrows =
+            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..<_>::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
+        undo_keys(ui, out);
+        let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+        for (key, by) in [
+            (Key::ArrowUp, [-1, 0]),
+            (Key::ArrowDown, [1, 0]),
+            (Key::ArrowLeft, [0, -1]),
+            (Key::ArrowRight, [0, 1]),
+            (Key::PageUp, [-10, 0]),
+            (Key::PageDown, [10, 0]),
+            (Key::Home, [0, -1000]),
+            (Key::End, [0, 1000]),
+        ] {
+            for (modifiers, extends) in [(Modifiers::SHIFT, true), (Modifiers::NONE, false)] {
+                if pressed(modifiers, key) {
+                    self.selection.step(shown, by, extends);
+                    self.follows = true;
+                }
+            }
+        }
+        if pressed(Modifiers::COMMAND, Key::A) {
+            self.selection.select_more(shown);
+        }
+        let value = sheet.cell(&place.0, place.1).value;
+        if let Some(CellValue::Switch(is_on)) = value {
+            if pressed(Modifiers::NONE, Key::Space) || pressed(Modifiers::NONE, Key::Enter) {
+                self.enter(sheet, shown, &Entry::Switch(!is_on), None, out);
+            }
+        } else if pressed(Modifiers::NONE, Key::Enter) || pressed(Modifiers::NONE, Key::F2) {
+            self.begin(ui, sheet, &place, None);
+        }
+        if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
+            self.enter(sheet, shown, &Entry::Reset, None, out);
+        }
+        self.clipboard(ui, sheet, shown, out);
+        self.typing(ui, sheet, &place, out);
+    }
+
+    fn clipboard(
+        &mut self,
+        ui: &Ui,
+        sheet: Sheet<'_>,
+        shown: ShownCells<'_>,
+        out: &mut Vec<Command>,
+    ) {
+        let is_it = |event: &Event| matches!(event, Event::Copy | Event::Cut | Event::Paste(_));
+        let events: Vec<Event> = ui.input_mut(|input| {
+            let (taken, left) = std::mem::take(&mut input.events).into_iter().partition(is_it);
+            input.events = left;
+            taken
+        });
+        for event in events {
+            match event {
+                Event::Paste(text) => self.paste(sheet, shown, &text, out),
+                _ => out.push(Command::Copy(self.copied(sheet, shown))),
+            }
+        }
+    }
+
+    /// Begins an edit with the first letter that is typed; K keys the cells.
+    fn typing(&mut self, ui: &Ui, sheet: Sheet<'_>, place: &Place, out: &mut Vec<Command>) {
+        let typed = ui.input(|input| {
+            input.events.iter().find_map(|event| match event {
+                Event::Text(text) => Some(text.clone()),
+                _ => None,
+            })
+        });
+        let Some(typed) = typed.filter(|typed| !typed.trim().is_empty()) else { return };
+        let keys_value = place.1.field().is_some() && typed.eq_ignore_ascii_case("k");
+        ui.input_mut(|input| input.events.retain(|event| !matches!(event, Event::Text(_))));
+        if keys_value {
+            out.extend(self.keying(sheet));
+        } else if !place.1.is_switch() {
+            self.begin(ui, sheet, place, Some(typed));
+        }
+    }
+
+    fn paste(&self, sheet: Sheet<'_>, shown: ShownCells<'_>, text: &str, out: &mut Vec<Command>) {
+        let lines: Vec<Vec<&str>> = text
+            .trim_end_matches(['\n', '\r'])
+            .lines()
+            .map(|line| line.split('\t').collect())
+            .collect();
+        let width = lines.iter().map(Vec::len).max().unwrap_or_default();
+        let mut changes = CellChanges::new(sheet);
+        for ((row, column), [y, x]) in self.selection.covered(shown, [lines.len(), width]) {
+            if let Some(text) = lines[y].get(x) {
+                changes.set(&row, column, &Entry::Text((*text).to_owned()));
+            }
+        }
+        out.extend(changes.commands(None));
+    }
+
+    /// Selected cells as a text: a line a row, with tabs between columns.
+    pub(super) fn copied(&self, sheet: Sheet<'_>, shown: ShownCells<'_>) -> String {
+        let text = |place: Option<Place>| {
+            let value = place.and_then(|(row, column)| sheet.cell(&row, column).value);
+            value.map(|value| value.text(sheet.session)).unwrap_or_default()
+        };
+        let line = |line: Vec<Option<Place>>| line.into_iter().map(text).collect::<Vec<_>>();
+        let lines = self.selection.lines(shown).into_iter();
+        lines.map(|cells| line(cells).join("\t")).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Targets of the selected cells that keys of the look can move.
+    pub(super) fn targets(&self, sheet: Sheet<'_>) -> Vec<Target> {
+        let rows = sheet.rows(None, None);
+        let mut found = Vec::new();
+        for row in &rows {
+            let Row::Light(id) = row else { continue };
+            let is_of_scene = sheet.session.keys().light_of_scene(id).is_some();
+            for column in Column::all().filter(|column| self.selection.has(&(row.clone(), *column)))
+            {
+                let Some(field) = column.field() else { continue };
+                let keyed = sheet.keyed(id, field);
+                let free = sheet.target(id, field).filter(|_| !is_of_scene);
+                let is_there = sheet.cell(row, column).value.is_some();
+                found.extend(keyed.or(free).filter(|_| is_there));
+            }
+        }
+        found
+    }
+
+    /// Command that keys the selected cells at the playhead, as one step.
+    pub(super) fn keying(&self, sheet: Sheet<'_>) -> Vec<Command> {
+        let keys = sheet.session.keys();
+        let is_free = |target: &Target| !matches!(keys.keyed_by(target), KeyedBy::Direction(_));
+        let targets: Vec<Target> = self.targets(sheet).into_iter().filter(is_free).collect();
+        let edits: Vec<_> = targets.iter().filter_map(|target| keys.key_in_time(target)).collect();
+        if edits.is_empty() {
+            let text = "None of these cells can be keyed in time: keys move the lights of the open \
+                        look, where no light of the scene stands in their place";
+            return vec![Command::Tell(text.to_owned())];
+        }
+        let count = edits.len();
+        let are = if count == 1 { "value is" } else { "values are" };
+        vec![
+            Command::Edit(Edit::Group { edits }),
+            Command::Tell(format!("{count} {are} keyed at the playhead")),
+        ]
+    }
+}
