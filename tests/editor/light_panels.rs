@@ -70,6 +70,12 @@ fn at(hand: &User, cell: &str) -> Pos2 {
     hand.place_of(Role::Cell, cell).center()
 }
 
+/// Value of a cell in words, with where it comes from and what is left of it.
+fn told(hand: &User, cell: &str) -> String {
+    let cell = hand.harness.get_by_role_and_label(Role::Cell, cell);
+    cell.accesskit_node().value().unwrap_or_default()
+}
+
 /// Types over the selected cells.
 fn enter(hand: &mut User, text: &str) {
     hand.type_text(text);
@@ -92,6 +98,13 @@ fn many_cells_of_lights_are_changed_in_one_step() {
     enter(&mut hand, "+0.25");
     assert_eq!(intensities(&hand), [3.25, 1.0, 1.75]);
     assert_eq!(hand.steps(), before + 2, "each is one step");
+    hand.key_with(Modifiers::ALT, Key::ArrowUp);
+    hand.key_with(Modifiers::ALT, Key::ArrowUp);
+    hand.settle();
+    assert!(close(light(&hand, "fill").intensity, 1.2), "nudged twice");
+    assert_eq!(hand.steps(), before + 3, "nudges are one step");
+    hand.key_with(Modifiers::COMMAND, Key::Z);
+    hand.settle();
     hand.key_with(Modifiers::COMMAND, Key::Z);
     hand.settle();
     hand.key_with(Modifiers::COMMAND, Key::Z);
@@ -159,7 +172,9 @@ fn an_inherited_light_gets_one_of_the_scene_and_gives_it_back() {
     let mut hand = lit_window(&home, "Light table");
     let key = at(&hand, "Intensity of key");
     hand.click(key);
+    assert_eq!(told(&hand, "Intensity of key"), "1, inherited");
     enter(&mut hand, "50%");
+    assert_eq!(told(&hand, "Intensity of key"), "0.5");
     assert!(close(light(&hand, "key").intensity, 0.5));
     assert!(close(hand.look().lights["key"].intensity, 1.0), "the look's own is as it was");
     hand.key(Key::Delete);
@@ -180,6 +195,11 @@ fn an_inherited_light_gets_one_of_the_scene_and_gives_it_back() {
     hand.click(off);
     hand.settle();
     assert_eq!(scene(&hand).muted.text(), "group:rim");
+    assert_eq!(told(&hand, "Intensity of back"), "2, out");
+    let master = at(&hand, "Intensity of group set");
+    hand.click(master);
+    enter(&mut hand, "0.5");
+    assert_eq!(told(&hand, "Intensity of fill"), "0.5, 0.25 by the mix");
 }
 
 #[test]
@@ -191,6 +211,7 @@ fn values_of_a_look_are_keyed_from_their_cells() {
     hand.type_text("k");
     hand.settle();
     assert_eq!(hand.look().time_keys.len(), 1);
+    assert_eq!(told(&hand, "Intensity of key"), "1, keyed");
     enter(&mut hand, "3");
     let keys = &hand.look().time_keys[0].keys;
     assert_eq!((keys.len(), &keys[0].value), (1, &chiaro::document::Value::Number(3.0)));
@@ -327,15 +348,21 @@ fn light_panel_shots() {
             hand.harness.render().unwrap().save(file).unwrap();
         };
         show(&mut hand, "Light table");
-        let mute = at(&hand, "Shines of Rim");
-        hand.click(mute);
         let from = at(&hand, "Intensity of group Window");
         hand.click(from);
         enter(&mut hand, "0.5");
         let from = at(&hand, "Intensity of Sun in the window");
         hand.click(from);
-        let to = at(&hand, "Intensity of Rim");
-        hand.click_with(Modifiers::SHIFT, to);
+        for _ in 0..2 {
+            hand.key_with(Modifiers::SHIFT, Key::ArrowDown);
+        }
+        let mute = at(&hand, "Shines of Blue lamp");
+        hand.click(mute);
+        let from = at(&hand, "Intensity of Sun in the window");
+        hand.click(from);
+        for _ in 0..2 {
+            hand.key_with(Modifiers::SHIFT, Key::ArrowDown);
+        }
         save(&mut hand, "table");
         hand.type_text("*1.2");
         save(&mut hand, "table-typing");
@@ -347,13 +374,16 @@ fn light_panel_shots() {
         }
         save(&mut hand, "table-help");
         hand.press_a(Role::Button, "Mixer");
+        hand.press_a(Role::CheckBox, "Solo group Room");
         save(&mut hand, "mixer");
+        hand.tab("Lights");
+        save(&mut hand, "lights");
         hand.tab("Light table");
         let links = hand.place_of(Role::Button, "Links");
         hand.click(links.center());
         hand.settle();
         hand.press_a(Role::ListItem, "Link object guest");
-        hand.press_a(Role::ListItem, "Link light Rim");
+        hand.press_a(Role::ListItem, "Link group room");
         save(&mut hand, "links");
     }
 }

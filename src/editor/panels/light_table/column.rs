@@ -66,6 +66,20 @@ impl Column {
         self == Self::Exposure || self.field().is_some_and(|field| field.range().is_some())
     }
 
+    /// Number that Alt and an arrow key add or take away, as it is typed; `None` for a column
+    /// without numbers.
+    pub(super) fn nudge(self) -> Option<f64> {
+        Some(match self {
+            Self::Exposure => 0.25,
+            Self::Field(field) => match field.quantity() {
+                LightQuantity::Angle => 5.0,
+                LightQuantity::Color => 0.05,
+                _ => 0.1,
+            },
+            _ => return None,
+        })
+    }
+
     /// Name of the column.
     pub(super) fn label(self) -> &'static str {
         match self {

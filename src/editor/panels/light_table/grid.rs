@@ -143,11 +143,10 @@ impl CellGrid {
         let sense = if is_cursor { Sense::click_and_drag() } else { Sense::CLICK | Sense::DRAG };
         let response = ui.interact(rect, id_of(place), sense);
         let is_selected = self.selection.has(place);
-        let text = cell.value.as_ref().map(|value| value.text(sheet.session));
         response.widget_info(|| {
             let label = format!("{} of {}", column.label(), sheet.full_name(row));
             let mut info = WidgetInfo::selected(Role::Cell, true, is_selected, label);
-            info.current_text_value = Some(text.clone().unwrap_or_else(|| "none".to_owned()));
+            info.current_text_value = Some(sheet.words(&cell));
             info
         });
         paint::cell(ui, sheet, rect, place, &cell, is_selected);

@@ -31,6 +31,15 @@ impl CellGrid {
         ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
         undo_keys(ui, out);
         let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+        for (key, sign) in [(Key::ArrowUp, "+="), (Key::ArrowDown, "-=")] {
+            // Nudges of one stay at the cells are one step.
+            if let Some(step) = place.1.nudge()
+                && pressed(Modifiers::ALT, key)
+            {
+                let entry = Entry::Text(format!("{sign}{step}"));
+                self.enter(sheet, shown, &entry, Some(id), out);
+            }
+        }
         for (key, by) in [
             (Key::ArrowUp, [-1, 0]),
             (Key::ArrowDown, [1, 0]),

@@ -11,6 +11,7 @@ use crate::document::Light;
 use crate::fields::mark;
 use crate::panels::lights::swatch as swatch_of;
 use crate::widgets::rows::{Icon, draw, picture_frame};
+use crate::widgets::text::cell as text_cell;
 use crate::widgets::theme;
 
 /// Paints a cell.
@@ -33,6 +34,10 @@ pub(super) fn cell(
     }
     let inner = rect.shrink2(vec2(6.0, 2.0));
     let Some(value) = &cell.value else {
+        if let Some(text) = note(sheet, row, *column) {
+            text_cell(ui, inner, &text, FontId::proportional(theme::TEXT_SIZE), colors.dim);
+            return;
+        }
         let color = colors.dim.gamma_multiply(0.5);
         let font = FontId::proportional(theme::TEXT_SIZE);
         let at = if column.is_number() { inner.right_center() } else { inner.left_center() };
@@ -41,18 +46,7 @@ pub(super) fn cell(
         return;
     };
     if let CellValue::Switch(is_on) = value {
-        let is_solo = *column == Column::Solo;
-        let icon = if is_solo { Icon::Solo } else { Icon::Bulb };
-        let ink = match (is_solo, is_on) {
-            (true, true) => {
-                ui.painter().rect_filled(rect.shrink(3.0), 4.0, colors.accent);
-                colors.panel
-            }
-            (true, false) => colors.dim.gamma_multiply(0.6),
-            (false, true) if cell.overridden.is_none() => colors.text,
-            _ => colors.dim,
-        };
-        draw(ui.painter(), icon, rect.center(), ink, *is_on);
+        switch(ui, rect, *column, cell, *is_on);
         return;
     }
     let is_out = cell.overridden.as_ref().is_some_and(|by| by.left.is_none());
@@ -110,6 +104,38 @@ pub(super) fn cell(
     ui.painter().galley(at, galley, ink);
 }
 
+/// Paints a switch.
+fn switch(ui: &Ui, rect: Rect, column: Column, cell: &Cell, is_on: bool) {
+    let colors = theme::of(ui);
+    let is_solo = column == Column::Solo;
+    let icon = if is_solo { Icon::Solo } else { Icon::Bulb };
+    let ink = match (is_solo, is_on) {
+        (true, true) => {
+            ui.painter().rect_filled(rect.shrink(3.0), 4.0, colors.accent);
+            colors.panel
+        }
+        (true, false) => colors.dim.gamma_multiply(0.6),
+        (false, true) if cell.overridden.is_none() => colors.text,
+        _ => colors.dim,
+    };
+    draw(ui.painter(), icon, rect.center(), ink, is_on);
+}
+
+/// Text in a cell of a group that has no value.
+fn note(sheet: Sheet<'_>, row: &Row, column: Column) -> Option<String> {
+    let Row::Group(group) = row else { return None };
+    match column {
+        Column::Kind => Some("Group".to_owned()),
+        Column::Groups => Some(match sheet.count(group) {
+            (1, 0) => "1 light".to_owned(),
+            (1, _) => "1 light, out".to_owned(),
+            (count, 0) => format!("{count} lights"),
+            (count, out) => format!("{count} lights, {out} out"),
+        }),
+        _ => None,
+    }
+}
+
 /// Paints the diamond of a keyed cell, and takes its room.
 fn keyed_mark(ui: &Ui, sheet: Sheet<'_>, (row, column): &Place, inner: &mut Rect) {
     let (Row::Light(id), Some(field)) = (row, column.field()) else { return };
@@ -152,7 +178,7 @@ pub(super) fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &
         (true, _) => "A click or Space turns all selected ones",
         (_, true) => {
             "Enter or double click to change all selected cells; or type: 0.5, *1.2, +0.1, 50%. \
-             K keys them, Delete resets them."
+             Alt and an arrow key nudge them, K keys them, Delete resets them."
         }
         _ if *column == Column::Id => "",
         _ => "Enter or double click to change all selected cells; or just type",

@@ -184,6 +184,24 @@ impl<'s> Sheet<'s> {
         }
     }
 
+    /// A cell in words, for who cannot see how it looks.
+    pub(super) fn words(self, cell: &Cell) -> String {
+        let Some(value) = &cell.value else { return "none".to_owned() };
+        let origin = match cell.origin {
+            Origin::Own => "",
+            Origin::Inherited => ", inherited",
+            Origin::Keyed => ", keyed",
+        };
+        let left = match &cell.overridden {
+            None => String::new(),
+            Some(Override { left: None, .. }) => ", out".to_owned(),
+            Some(Override { left: Some(left), .. }) => {
+                format!(", {} by the mix", left.text(self.session))
+            }
+        };
+        format!("{}{origin}{left}", value.text(self.session))
+    }
+
     fn light_cell(self, id: &LightId, column: Column) -> Cell {
         let none = Cell { value: None, origin: Origin::Own, overridden: None };
         let Some((id, _)) = self.lights.lights().get_key_value(id) else { return none };

@@ -57,19 +57,20 @@ impl RowStanding {
                 Relation::Light => context.matrix.casters(object, light),
                 Relation::Shadow => Vec::new(),
             };
+            let count = casters.len();
             let casters: Vec<&str> = casters.into_iter().map(ObjectId::as_str).collect();
-            found.shadows = if casters.is_empty() || !state.is_so {
-                String::new()
-            } else {
-                format!("shadows of {}", casters.join(", "))
+            let shadows = match casters.as_slice() {
+                [] => "no shadows there".to_owned(),
+                casters => format!("shadows of {}", casters.join(", ")),
             };
+            let tells = state.is_so && context.relation == Relation::Light;
+            // A row has room only for what the links of shadows change.
+            let is_plain = count == context.matrix.object_count();
+            found.shadows = if tells && !is_plain { shadows.clone() } else { String::new() };
             if found.rules.len() < RULES {
                 let verb = context.relation.verb(state.is_so);
                 let name = context.mix.lights.name(light);
-                let shadows = match found.shadows.is_empty() {
-                    true => String::new(),
-                    false => format!(", with {}", found.shadows),
-                };
+                let shadows = if tells { format!(", with {shadows}") } else { String::new() };
                 found.rules.push(format!("{object} {verb} {name}: {}{shadows}", state.rule));
             }
         }
@@ -297,6 +298,7 @@ impl PaneLine<'_> {
             let small = FontId::proportional(theme::SMALL_TEXT);
             let place = Rect::from_min_max(pos2(split, rect.top()), rect.max - vec2(4.0, 0.0));
             let text = match (standing.all, standing.shadows.is_empty()) {
+                (0, _) if self.of == "group" => "no light of it".to_owned(),
                 (0, _) => "no look has it".to_owned(),
                 (_, true) => standing.rule.clone(),
                 (_, false) => format!("{} · {}", standing.rule, standing.shadows),

@@ -75,6 +75,11 @@ impl LinkMatrix {
         }
     }
 
+    /// Number of visible objects.
+    pub(super) fn object_count(&self) -> usize {
+        self.casts.len()
+    }
+
     /// Objects that cast a light's shadow onto an object, where the light reaches it.
     pub(super) fn casters(&self, object: &ObjectId, light: &LightId) -> Vec<&ObjectId> {
         let is_lit = self.state(Relation::Light, object, light).is_some_and(|state| state.is_so);

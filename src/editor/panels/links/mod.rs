@@ -9,7 +9,9 @@ mod relation;
 use std::collections::BTreeSet;
 
 use eframe::egui;
-use eframe::egui::{Button, Id, Layout, RichText, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2};
+use eframe::egui::{
+    Button, Id, Label, Layout, RichText, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2,
+};
 
 use crate::commands::{Command, PanelId, SceneCommand};
 use crate::document::{ColorSpace, LightSet, SceneEdit, SetTerm};
@@ -345,7 +347,7 @@ impl Links {
         let object = self.pointed_object(open_scene);
         let name = object.as_ref().map_or("no object", ObjectId::as_str);
         let text = RichText::new(format!("Pointed at: {name}")).color(theme::of(ui).dim);
-        ui.label(text).on_hover_text(
+        ui.add(Label::new(text).extend()).on_hover_text(
             "The object of the picture that the pointer was last at, or the selected one. Over the \
              picture J links the selected lights to it, Shift+J unlinks them.",
         );

@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use eframe::egui::{
-    Align, Align2, DragValue, FontId, Frame, Label, Layout, Margin, RichText, Role, Sense, Slider,
-    Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, DragValue, FontId, Frame, Label, Margin, Rect, RichText, Role, Sense, Slider, Stroke,
+    Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use crate::commands::{Command, SceneCommand};
@@ -19,8 +19,11 @@ const WIDTH: f32 = 92.0;
 const LEAST: f32 = 64.0;
 /// Greatest height of a fader, in points.
 const MOST: f32 = 190.0;
-/// Height of everything in a channel but the fader, in points.
-const REST: f32 = 116.0;
+/// Height of everything in a channel but the fader, with the bar that scrolls the channels, in
+/// points.
+const REST: f32 = 138.0;
+/// Width of a fader, in points.
+const FADER: f32 = 22.0;
 /// Intensity at the upper end of a fader; more can be typed.
 const TOP: f64 = 4.0;
 /// Intensities that have a mark beside the fader.
@@ -38,18 +41,22 @@ fn intensity_at(place: f64) -> f64 {
     if (intensity - 1.0).abs() < 0.03 { 1.0 } else { (intensity * 1e3).round() / 1e3 }
 }
 
-/// Shows the channel of a group.
+/// Height of the faders in a panel with so much room, in points.
+pub(super) fn fader_height(room: f32) -> f32 {
+    (room - REST).clamp(LEAST, MOST)
+}
+
+/// Shows the channel of a group, with a fader of this height.
 pub(super) fn show(
     ui: &mut Ui,
     mix: SceneMix<'_>,
     group: &LightGroup,
-    space: ColorSpace,
+    (space, fader): (ColorSpace, f32),
     out: &mut Vec<Command>,
 ) {
     let master = mix.master(group);
     let name = if master.name.is_empty() { group.as_str() } else { &master.name };
     let term = SetTerm::Group(group.to_string());
-    let fader = (ui.available_height() - REST).clamp(LEAST, MOST);
     let frame = Frame::new()
         .fill(theme::of(ui).node)
         .corner_radius(5)
@@ -100,13 +107,7 @@ fn title(ui: &mut Ui, mix: SceneMix<'_>, name: &str, term: &SetTerm) {
         true => "No light is of this group".to_owned(),
         false => mix.lights.names(&lights),
     };
-    ui.add(Label::new(text).truncate()).on_hover_text(&names);
-    let count = match lights.len() {
-        1 => "1 light".to_owned(),
-        count => format!("{count} lights"),
-    };
-    let count = RichText::new(count).small().color(colors.dim);
-    ui.add(Label::new(count).truncate()).on_hover_text(names);
+    ui.add(Label::new(text).truncate()).on_hover_text(names);
 }
 
 fn tint(ui: &mut Ui, name: &str, master: &mut GroupMaster, space: ColorSpace) -> Option<egui::Id> {
@@ -120,9 +121,9 @@ fn tint(ui: &mut Ui, name: &str, master: &mut GroupMaster, space: ColorSpace) ->
 
 /// Shows the fader, with marks beside it. Returns its id where it was moved.
 fn slide(ui: &mut Ui, name: &str, master: &mut GroupMaster, height: f32) -> Option<egui::Id> {
-    let layout = Layout::top_down(Align::Center);
-    let size = vec2(ui.available_width(), height);
-    ui.allocate_ui_with_layout(size, layout, |ui| {
+    let (room, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let rail = Rect::from_center_size(room.center() + vec2(8.0, 0.0), vec2(FADER, height));
+    ui.scope_builder(UiBuilder::new().max_rect(rail), |ui| {
         ui.spacing_mut().slider_width = height;
         let mut place = place_of(master.intensity);
         let slider = Slider::new(&mut place, 0.0..=1.0).vertical().show_value(false);
@@ -147,7 +148,7 @@ fn slide(ui: &mut Ui, name: &str, master: &mut GroupMaster, height: f32) -> Opti
 }
 
 /// Paints marks left of the fader.
-fn marks(ui: &Ui, rect: egui::Rect) {
+fn marks(ui: &Ui, rect: Rect) {
     let colors = theme::of(ui);
     // The handle's middle stays within the rail by its own radius.
     let rail = rect.shrink2(vec2(0.0, rect.width() / 2.5));

@@ -47,12 +47,13 @@ impl Mixer {
             add::panels(ui, &mut out);
             return out;
         }
+        let fader = channel::fader_height(ui.available_height());
         ScrollArea::both().auto_shrink([false, false]).id_salt("mixer").show(ui, |ui| {
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 6.0;
                 for group in &groups {
-                    let space = session.look().color_space;
-                    ui.push_id(group, |ui| channel::show(ui, mix, group, space, &mut out));
+                    let form = (session.look().color_space, fader);
+                    ui.push_id(group, |ui| channel::show(ui, mix, group, form, &mut out));
                 }
             });
         });
