@@ -134,9 +134,15 @@ impl<I> NameEdit<I> {
         if !response.lost_focus() {
             return None;
         }
-        let gives_up = ui.input(|input| input.key_pressed(Key::Escape));
-        Some((!gives_up).then(|| self.text.trim().to_owned()))
+        Some(leaves_with_text(ui).then(|| self.text.trim().to_owned()))
     }
+}
+
+/// True if a field that lost the keyboard in this frame was left with its text, and not given up by
+/// Escape. Others may have taken the press of that key: the field loses the keyboard before anything
+/// is shown.
+pub(crate) fn leaves_with_text(ui: &Ui) -> bool {
+    !ui.input(|input| input.key_pressed(Key::Escape) || input.key_down(Key::Escape))
 }
 
 /// Takes the keys of undo and redo for a row that has the keyboard, as the window leaves keys to

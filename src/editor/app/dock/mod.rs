@@ -202,8 +202,8 @@ fn below_graph(tiles: &mut Tiles<Pane>, pane: TileId) -> Option<()> {
     let Some(Tile::Container(Container::Linear(_))) = tiles.get(around) else { return None };
     let own = tiles.insert_tab_tile(vec![pane]);
     let mut both = Linear::new(LinearDir::Vertical, vec![graph, own]);
-    both.shares.set_share(graph, 0.68);
-    both.shares.set_share(own, 0.32);
+    both.shares.set_share(graph, 0.62);
+    both.shares.set_share(own, 0.38);
     let both = tiles.insert_container(Container::Linear(both));
     if let Some(Tile::Container(Container::Linear(row))) = tiles.get_mut(around) {
         row.children.iter_mut().filter(|child| **child == graph).for_each(|child| *child = both);

@@ -2,9 +2,10 @@
 
 use eframe::egui;
 use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::{Id, Key, Rect, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2};
+use eframe::egui::{Id, Rect, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2};
 
 use super::selection::Place;
+use crate::widgets::rows::leaves_with_text;
 use crate::widgets::theme;
 
 /// Cell that is edited, with the text so far.
@@ -67,8 +68,7 @@ impl CellEdit {
         if !response.lost_focus() {
             return None;
         }
-        let gives_up = ui.input(|input| input.key_pressed(Key::Escape));
-        Some((!gives_up).then(|| self.text.clone()))
+        Some(leaves_with_text(ui).then(|| self.text.clone()))
     }
 
     fn text_len(&self) -> usize {

@@ -46,7 +46,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 );
 
 /// Width of the filter's field, in points.
-const FILTER: f32 = 190.0;
+const FILTER: f32 = 160.0;
+/// Least width of a bar that leads to the other panels about lights, in points.
+const WIDE: f32 = 580.0;
 
 /// The panel and its state.
 #[derive(Default)]
@@ -116,6 +118,7 @@ impl LightTable {
         wrong: Option<&crate::document::SetError>,
         out: &mut Vec<Command>,
     ) {
+        let is_wide = ui.available_width() > WIDE;
         ui.horizontal_wrapped(|ui| {
             let colors = theme::of(ui);
             let ink = if wrong.is_some() { colors.error } else { colors.text };
@@ -142,7 +145,7 @@ impl LightTable {
                 (PanelId::MIXER, "Mixer", "The groups' masters, as faders"),
                 (PanelId::LINKS, "Links", "Which lights light which objects, and why"),
             ] {
-                if ui.button(label).on_hover_text(help).clicked() {
+                if is_wide && ui.button(label).on_hover_text(help).clicked() {
                     out.push(Command::ShowPanel(panel));
                 }
             }

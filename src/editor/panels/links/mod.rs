@@ -345,8 +345,8 @@ impl Links {
         out: &mut Vec<Command>,
     ) {
         let object = self.pointed_object(open_scene);
-        let name = object.as_ref().map_or("no object", ObjectId::as_str);
-        let text = RichText::new(format!("Pointed at: {name}")).color(theme::of(ui).dim);
+        let name = object.as_ref().map_or("nothing yet", ObjectId::as_str);
+        let text = RichText::new(format!("Picture: {name}")).color(theme::of(ui).dim);
         ui.add(Label::new(text).extend()).on_hover_text(
             "The object of the picture that the pointer was last at, or the selected one. Over the \
              picture J links the selected lights to it, Shift+J unlinks them.",

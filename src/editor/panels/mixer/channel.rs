@@ -21,7 +21,7 @@ const LEAST: f32 = 64.0;
 const MOST: f32 = 190.0;
 /// Height of everything in a channel but the fader, with the bar that scrolls the channels, in
 /// points.
-const REST: f32 = 138.0;
+const REST: f32 = 118.0;
 /// Width of a fader, in points.
 const FADER: f32 = 22.0;
 /// Intensity at the upper end of a fader; more can be typed.
