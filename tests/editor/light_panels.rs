@@ -355,6 +355,7 @@ fn light_panel_shots() {
         let from = at(&hand, "Intensity of group Window");
         hand.click(from);
         enter(&mut hand, "0.5");
+        assert!(close(scene(&hand).light_groups["window"].intensity, 0.5));
         hand.key(Key::ArrowDown);
         for _ in 0..2 {
             hand.key_with(Modifiers::SHIFT, Key::ArrowDown);
@@ -375,6 +376,10 @@ fn light_panel_shots() {
         hand.tab("Lights");
         save(&mut hand, "lights");
         show(&mut hand, "Links");
+        hand.press("End solo");
+        let middle = hand.app().viewport().rect().unwrap().center();
+        hand.hover(middle);
+        hand.settle();
         hand.press_a(Role::ListItem, "Link object guest");
         hand.press_a(Role::ListItem, "Link group room");
         save(&mut hand, "links");

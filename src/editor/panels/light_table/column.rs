@@ -27,13 +27,14 @@ const FIRST: [LightField; 2] = [LightField::Intensity, LightField::Color];
 impl Column {
     /// All columns, in the order of the table.
     pub(super) fn all() -> impl Iterator<Item = Self> {
-        let lead = [Self::Shines, Self::Solo, Self::Name, Self::Kind, Self::Groups];
+        let lead = [Self::Shines, Self::Solo, Self::Name];
         // Lights may come to have an exposure of their own, which groups then share the column of.
         let exposure = LightField::named("exposure").is_none().then_some(Self::Exposure);
         let others = LightField::ALL.into_iter().filter(|field| !FIRST.contains(field));
         lead.into_iter()
             .chain(FIRST.map(Self::Field))
             .chain(exposure)
+            .chain([Self::Groups, Self::Kind])
             .chain(others.map(Self::Field))
             .chain([Self::Space, Self::Id])
     }

@@ -138,7 +138,6 @@ impl Links {
         }
         self.bar(ui, open_scene, &mut out);
         let Some(mix) = SceneMix::of(session, &self.lights) else { return out };
-        mix.solo_note(ui, &mut out);
         let (relation, space) = (self.relation, session.look().color_space);
         let context = PaneContext { open_scene, mix, matrix: &matrix, relation, space };
         let room = ui.available_rect_before_wrap();
@@ -274,7 +273,6 @@ impl Links {
             }
             ui.separator();
             self.expression(ui, open_scene, &terms, out);
-            ui.separator();
             self.pointed_buttons(ui, open_scene, &terms, out);
         });
         ui.add_space(2.0);
@@ -344,14 +342,13 @@ impl Links {
         terms: &[SetTerm],
         out: &mut Vec<Command>,
     ) {
-        let object = self.pointed_object(open_scene);
-        let name = object.as_ref().map_or("nothing yet", ObjectId::as_str);
-        let text = RichText::new(format!("Picture: {name}")).color(theme::of(ui).dim);
+        let Some(object) = self.pointed_object(open_scene) else { return };
+        ui.separator();
+        let text = RichText::new(format!("Picture: {object}")).color(theme::of(ui).dim);
         ui.add(Label::new(text).extend()).on_hover_text(
             "The object of the picture that the pointer was last at, or the selected one. Over the \
              picture J links the selected lights to it, Shift+J unlinks them.",
         );
-        let Some(object) = object else { return };
         for (label, is_linked) in [("Link it", true), ("Unlink it", false)] {
             let help = match is_linked {
                 true => "Links the selected lights to this object (J over the picture)",

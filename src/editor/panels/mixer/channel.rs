@@ -16,7 +16,7 @@ use crate::widgets::theme;
 /// Width of a channel, in points.
 const WIDTH: f32 = 92.0;
 /// Least height of a fader, in points.
-const LEAST: f32 = 64.0;
+const LEAST: f32 = 44.0;
 /// Greatest height of a fader, in points.
 const MOST: f32 = 190.0;
 /// Height of everything in a channel but the fader, with the bar that scrolls the channels, in
@@ -152,7 +152,9 @@ fn marks(ui: &Ui, rect: Rect) {
     let colors = theme::of(ui);
     // The handle's middle stays within the rail by its own radius.
     let rail = rect.shrink2(vec2(0.0, rect.width() / 2.5));
-    for mark in MARKS {
+    // A low fader has room for the ends and the middle.
+    let is_low = rect.height() < 60.0;
+    for mark in MARKS.into_iter().filter(|mark| !is_low || [0.0, 1.0, TOP].contains(mark)) {
         let y = egui::lerp(rail.bottom()..=rail.top(), place_of(mark) as f32);
         let is_normal = mark == 1.0;
         let ink = if is_normal { colors.text } else { colors.dim.gamma_multiply(0.8) };
