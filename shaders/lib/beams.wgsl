@@ -37,10 +37,8 @@ fn has_all_samples(samples: PixelSamples) -> bool {
     return all((level & samples.upright & samples.more_upright) == EVERY_SAMPLE);
 }
 
-fn has_no_samples(samples: PixelSamples) -> bool {
-    let level = samples.level | samples.more_level;
-    return all((level | samples.upright | samples.more_upright) == vec4u(0u));
-}
+/// Bits of the corners of a pixel and of its middle.
+const ALL_POINTS = 31u;
 
 /// Rays from a pixel toward a light.
 struct Beam {
@@ -128,7 +126,7 @@ struct Slope {
     down: f32,
 }
 
-/// What must be 0 or more where a triangle keeps the light away.
+/// What is above 0 where a triangle keeps the light from a place of a pixel.
 struct Inequalities {
     a: Slope,
     b: Slope,
@@ -136,7 +134,17 @@ struct Inequalities {
     /// How high the triangle stands over the surface, and how far it is from the lamp.
     height: Slope,
     depth: Slope,
+    /// Of a triangle that is seen from behind and is no blocker where both hold: how low it stands,
+    /// and how soon rays meet it.
+    low: Slope,
+    soon: Slope,
+    is_back: bool,
+    /// False where they hold nowhere in the pixel.
+    is_met: bool,
 }
+
+const NEVER = Slope(-1.0, 0.0, 0.0);
+const NOT_MET = Inequalities(NEVER, NEVER, NEVER, NEVER, NEVER, NEVER, NEVER, false, false);
 
 /// Parts of four lines from one place to another, in pixels from their middles; nothing where they
 /// are the wrong way round.
@@ -171,8 +179,17 @@ fn samples_below(count: vec4f) -> vec4u {
     return select(some, EVERY_SAMPLE, count > vec4f(31.5));
 }
 
-/// The samples of four lines in which all inequalities hold. Those of each line stand a little
-/// further than those of the line before.
+/// The samples of spans on four lines. Those of each line stand a little further than those of the
+/// line before.
+fn samples_in(spans: Spans, places: vec4f) -> vec4u {
+    let count = f32(LINE_SAMPLES);
+    let most = vec4f(count);
+    let before = clamp(ceil(count * (spans.first + 0.5) - 0.5 - places), vec4f(0.0), most);
+    let until = clamp(floor(count * (spans.last + 0.5) + 0.5 - places), vec4f(0.0), most);
+    return samples_below(until) & ~samples_below(before);
+}
+
+/// The samples of four lines in which inequalities hold.
 fn samples_within(all_of: Inequalities, half: f32, is_level: bool) -> vec4u {
     let places = line_places(half);
     var spans = Spans(vec4f(-1.0), vec4f(1.0));
@@ -181,24 +198,45 @@ fn samples_within(all_of: Inequalities, half: f32, is_level: bool) -> vec4u {
     spans = clipped(spans, places, all_of.c, is_level);
     spans = clipped(spans, places, all_of.height, is_level);
     spans = clipped(spans, places, all_of.depth, is_level);
-    let count = f32(LINE_SAMPLES);
-    let most = vec4f(count);
-    let before = clamp(ceil(count * (spans.first + 0.5) - 0.5 - places), vec4f(0.0), most);
-    let until = clamp(floor(count * (spans.last + 0.5) + 0.5 - places), vec4f(0.0), most);
-    return samples_below(until) & ~samples_below(before);
+    let found = samples_in(spans, places);
+    if !all_of.is_back {
+        return found;
+    }
+    spans = clipped(spans, places, all_of.low, is_level);
+    spans = clipped(spans, places, all_of.soon, is_level);
+    return found & ~samples_in(spans, places);
 }
 
-fn all_samples_within(all_of: Inequalities) -> PixelSamples {
-    return PixelSamples(samples_within(all_of, 0.0, true), samples_within(all_of, 1.0, true),
-        samples_within(all_of, 0.0, false), samples_within(all_of, 1.0, false));
+/// True at the corners of a pixel where a slope is 0 or more: the upper ones first.
+fn corners_within(slope: Slope) -> vec4<bool> {
+    let right = vec4f(-0.5, 0.5, -0.5, 0.5);
+    let down = vec4f(-0.5, -0.5, 0.5, 0.5);
+    return slope.middle + slope.right * right + slope.down * down >= vec4f(0.0);
 }
 
-/// The share of a pixel that its samples say: by the lines that edges cross most.
+/// Bits of a pixel's corners and of its middle in which inequalities hold.
+fn points_within(all_of: Inequalities) -> u32 {
+    var corners = corners_within(all_of.a) & corners_within(all_of.b) & corners_within(all_of.c)
+        & corners_within(all_of.height) & corners_within(all_of.depth);
+    let least = min(min(all_of.a.middle, all_of.b.middle), min(all_of.c.middle,
+        min(all_of.height.middle, all_of.depth.middle)));
+    var middle = least >= 0.0;
+    if all_of.is_back {
+        corners &= !(corners_within(all_of.low) & corners_within(all_of.soon));
+        middle = middle && !(all_of.low.middle >= 0.0 && all_of.soon.middle >= 0.0);
+    }
+    let bits = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), corners);
+    return bits.x | bits.y | bits.z | bits.w | select(0u, 16u, middle);
+}
+
+/// The share of a pixel that its samples say: by the lines of either direction, and the more, the
+/// more of them edges cross.
 fn share_of_samples(samples: PixelSamples) -> f32 {
     let level = line_counts(samples.level) + line_counts(samples.more_level);
     let upright = line_counts(samples.upright) + line_counts(samples.more_upright);
-    let best = select(upright, level, level.y >= upright.y);
-    return best.x / f32(LINE_SAMPLES * PIXEL_LINES / 2);
+    let weight = vec2f(level.y * level.y, upright.y * upright.y) + 1e-3;
+    let share = dot(weight, vec2f(level.x, upright.x)) / (weight.x + weight.y);
+    return share / f32(LINE_SAMPLES * PIXEL_LINES / 2);
 }
 
 /// Samples on four lines that are kept from the light, and lines of which a part is.
@@ -209,9 +247,9 @@ fn line_counts(lines: vec4u) -> vec2f {
     return vec2f(dot(counts, one), dot(select(vec4f(0.0), one, crossed), one));
 }
 
-/// The samples that a triangle keeps from the light; if `is_rough`, all where any ray of the beam
-/// may be kept. Its edges count, and a little more, so that light comes through no seam.
-fn covered(beam: Beam, is_rough: bool, corner: vec3f, second: vec3f, third: vec3f) -> PixelSamples {
+/// Where in a pixel a triangle keeps the light away. Its edges count, and a little more, so that
+/// light comes through no seam.
+fn inequalities_of(beam: Beam, corner: vec3f, second: vec3f, third: vec3f) -> Inequalities {
     let a = corner - beam.origin;
     let b = second - beam.origin;
     let c = third - beam.origin;
@@ -225,25 +263,21 @@ fn covered(beam: Beam, is_rough: bool, corner: vec3f, second: vec3f, third: vec3
     let side = select(-1.0, 1.0, facing > 0.0);
     let height = Slope(side * dot(normal, a) - beam.noise * area, -side * dot(normal, beam.across),
         -side * dot(normal, beam.down));
-    let may_turn = dot(abs(normal), beam.spread);
-    if !(area > 0.0) || (greatest_of(height) <= 0.0 && abs(facing) > may_turn) {
-        return NO_SAMPLES;
+    // A light with a size may see it from the other side.
+    let may_turn = abs(facing) <= dot(abs(normal), beam.spread);
+    if !(area > 0.0) || (greatest_of(height) <= 0.0 && !may_turn) {
+        return NOT_MET;
     }
     let whole = abs(facing);
-    let of_a = edge_slope(beam, side, bc, b - c);
-    let of_b = edge_slope(beam, side, ca, c - a);
-    let of_c = edge_slope(beam, side, ab, a - b);
+    let wide = 2e-6 * whole;
+    let of_a = edge_slope(beam, side, bc, b - c, wide);
+    let of_b = edge_slope(beam, side, ca, c - a, wide);
+    let of_c = edge_slope(beam, side, ab, a - b, wide);
     let may_move = vec3f(dot(abs(bc), beam.spread), dot(abs(ca), beam.spread),
         dot(abs(ab), beam.spread));
     let most = vec3f(greatest_of(of_a), greatest_of(of_b), greatest_of(of_c)) + may_move;
-    if any(most < vec3f(-2e-6 * whole)) && whole > may_turn {
-        return NO_SAMPLES;
-    }
-    if is_rough {
-        return ALL_SAMPLES;
-    }
-    if whole <= 1e-30 {
-        return NO_SAMPLES;
+    if (any(most < vec3f(0.0)) || whole <= 1e-30) && !may_turn {
+        return NOT_MET;
     }
     // What faces the light changes with the place for lamps. A lamp is no blocker of itself.
     let facing_right = of_a.right + of_b.right + of_c.right;
@@ -254,28 +288,17 @@ fn covered(beam: Beam, is_rough: bool, corner: vec3f, second: vec3f, third: vec3
     if beam.is_lamp < 0.5 {
         depth = Slope(1.0, 0.0, 0.0);
     }
-    let wide = 2e-6 * whole;
-    let found = all_samples_within(Inequalities(
-        Slope(of_a.middle + wide, of_a.right, of_a.down),
-        Slope(of_b.middle + wide, of_b.right, of_b.down),
-        Slope(of_c.middle + wide, of_c.right, of_c.down), height, depth));
-    if facing < 0.0 || has_no_samples(found) {
-        return found;
-    }
-    // Backs that are as near as this are no blockers.
     let low = Slope(beam.under * area - height.middle, -height.right, -height.down);
     let soon = Slope(beam.under_end * whole - height.middle,
         beam.under_end * facing_right - height.right, beam.under_end * facing_down - height.down);
-    let under = all_samples_within(Inequalities(low, soon, low, height, low));
-    return PixelSamples(found.level & ~under.level, found.more_level & ~under.more_level,
-        found.upright & ~under.upright, found.more_upright & ~under.more_upright);
+    return Inequalities(of_a, of_b, of_c, height, depth, low, soon, facing > 0.0, true);
 }
 
 /// How far rays pass inside an edge between two corners, whose cross product from the origin is
-/// `across`, and which are `between` apart.
-fn edge_slope(beam: Beam, side: f32, across: vec3f, between: vec3f) -> Slope {
+/// `across`, and which are `between` apart; `wide` is how far beyond it they may.
+fn edge_slope(beam: Beam, side: f32, across: vec3f, between: vec3f, wide: f32) -> Slope {
     let growth = beam.is_lamp * across + cross(beam.way, between);
-    return Slope(side * dot(beam.way, across), -side * dot(growth, beam.across),
+    return Slope(side * dot(beam.way, across) + wide, -side * dot(growth, beam.across),
         -side * dot(growth, beam.down));
 }
 
@@ -284,14 +307,100 @@ fn greatest_of(slope: Slope) -> f32 {
     return slope.middle + 0.5 * (abs(slope.right) + abs(slope.down));
 }
 
-/// The samples of a beam that an object's triangles keep from the light. `facet` is the one that
-/// the rays leave, if it is the object's own.
-fn beam_among(
+/// Bits of samples with those in which inequalities hold.
+fn with_samples(found: PixelSamples, all_of: Inequalities) -> PixelSamples {
+    return joined_samples(found, PixelSamples(samples_within(all_of, 0.0, true),
+        samples_within(all_of, 1.0, true), samples_within(all_of, 0.0, false),
+        samples_within(all_of, 1.0, false)));
+}
+
+/// The points of a pixel that an object's triangles keep from the light; if `is_rough`, all where
+/// any ray of the beam may be kept. `facet` is the triangle that the rays leave, if it is the
+/// object's own.
+fn points_among(
     casters: Casters,
     row: i32,
     world: Beam,
     facet: Facet,
     is_rough: bool,
+) -> u32 {
+    let tree = caster_texel(casters, row + 3);
+    let begin = i32(tree.x);
+    let nodes = i32(tree.y);
+    let triangles = begin + 2 * nodes;
+    var beam = turned_beam(casters, row, world);
+    beam.origin += facet.lift;
+    var found = 0u;
+    var node = 0;
+    while node < nodes {
+        let least = caster_texel(casters, begin + 2 * node);
+        let most = caster_texel(casters, begin + 2 * node + 1);
+        if !beam_meets_box(beam, least.xyz, most.xyz) {
+            node = max(i32(least.w), node + 1);
+            continue;
+        }
+        node += 1;
+        var triangle = i32(most.w);
+        while triangle >= 0 {
+            let at = triangles + 3 * triangle;
+            let a = caster_texel(casters, at);
+            let b = caster_texel(casters, at + 1);
+            let c = caster_texel(casters, at + 2);
+            let all_of = inequalities_of(beam, a.xyz, b.xyz, c.xyz);
+            if all_of.is_met && triangle != facet.triangle {
+                if is_rough {
+                    return ALL_POINTS;
+                }
+                found |= points_within(all_of);
+                if found == ALL_POINTS {
+                    return found;
+                }
+            }
+            // All triangles of a node but its last say that more follow.
+            triangle = select(-1, triangle + 1, a.w > 0.5);
+        }
+    }
+    return found;
+}
+
+/// The points of a pixel that other objects keep from the light than the one that it leaves.
+/// `root` is the texel of a tree over objects.
+fn points_among_others(
+    casters: Casters,
+    root: i32,
+    beam: Beam,
+    object: f32,
+    is_rough: bool,
+) -> u32 {
+    var found = 0u;
+    let end = i32(caster_texel(casters, max(root, 0)).w);
+    var node = select(end, root, root >= 0);
+    while node < end {
+        let least = caster_texel(casters, node);
+        let most = caster_texel(casters, node + 1);
+        if !beam_meets_box(beam, least.xyz, most.xyz) {
+            node = max(i32(least.w), node + 2);
+            continue;
+        }
+        node += 2;
+        let row = i32(most.w);
+        if row < 0 || caster_texel(casters, max(row, 0) + 3).z == object {
+            continue;
+        }
+        found |= points_among(casters, row, beam, NO_FACET, is_rough);
+        if found == ALL_POINTS {
+            return found;
+        }
+    }
+    return found;
+}
+
+/// The samples of a pixel that an object's triangles keep from the light.
+fn samples_among(
+    casters: Casters,
+    row: i32,
+    world: Beam,
+    facet: Facet,
 ) -> PixelSamples {
     let tree = caster_texel(casters, row + 3);
     let begin = i32(tree.x);
@@ -313,11 +422,11 @@ fn beam_among(
         while triangle >= 0 {
             let at = triangles + 3 * triangle;
             let a = caster_texel(casters, at);
-            if triangle != facet.triangle {
-                let b = caster_texel(casters, at + 1);
-                let c = caster_texel(casters, at + 2);
-                found = joined_samples(found,
-                    covered(beam, is_rough, a.xyz, b.xyz, c.xyz));
+            let b = caster_texel(casters, at + 1);
+            let c = caster_texel(casters, at + 2);
+            let all_of = inequalities_of(beam, a.xyz, b.xyz, c.xyz);
+            if all_of.is_met && triangle != facet.triangle {
+                found = with_samples(found, all_of);
                 if has_all_samples(found) {
                     return found;
                 }
@@ -329,14 +438,12 @@ fn beam_among(
     return found;
 }
 
-/// The samples of a beam that other objects keep from the light than the one that it leaves.
-/// `root` is the texel of a tree over objects.
-fn beam_among_others(
+/// The samples of a pixel that other objects keep from the light.
+fn samples_among_others(
     casters: Casters,
     root: i32,
     beam: Beam,
     object: f32,
-    is_rough: bool,
 ) -> PixelSamples {
     var found = NO_SAMPLES;
     let end = i32(caster_texel(casters, max(root, 0)).w);
@@ -353,7 +460,7 @@ fn beam_among_others(
         if row < 0 || caster_texel(casters, max(row, 0) + 3).z == object {
             continue;
         }
-        found = joined_samples(found, beam_among(casters, row, beam, NO_FACET, is_rough));
+        found = joined_samples(found, samples_among(casters, row, beam, NO_FACET));
         if has_all_samples(found) {
             return found;
         }

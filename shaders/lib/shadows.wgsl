@@ -87,26 +87,26 @@ fn shadow_of_ray(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
     return is_blocked(casters, receiver, vec2f(0.0), vec2f(0.0), by_itself);
 }
 
-/// The samples of a pixel that are kept from the light; if `is_rough`, all if any ray from the
-/// pixel to any place of the light may be.
-fn samples_blocked(
-    casters: Casters,
-    receiver: Receiver,
-    by_itself: bool,
-    is_rough: bool,
-) -> PixelSamples {
-    let beam = beam_of(receiver.position, receiver.across, receiver.down,
-        way_to_light(receiver.source, receiver.position), receiver.source.w,
-        select(0.0, receiver.size, is_rough));
-    if by_itself {
-        let row = object_row(receiver.object);
-        return beam_among(casters, row, beam, receiver.facet, is_rough);
-    }
-    let root = caster_root(receiver.casters);
-    return beam_among_others(casters, root, beam, receiver.object, is_rough);
+/// All rays from a pixel to its light, or for a `size` of 0 to the middle of its light.
+fn beam_from(receiver: Receiver, size: f32) -> Beam {
+    return beam_of(receiver.position, receiver.across, receiver.down,
+        way_to_light(receiver.source, receiver.position), receiver.source.w, size);
 }
 
-/// The share of a light that is kept from a pixel, from 0 to 1.
+/// The corners and the middle of a pixel that are kept from the light; if `is_rough`, all if any
+/// ray from the pixel to any place of the light may be.
+fn points_blocked(casters: Casters, receiver: Receiver, by_itself: bool, is_rough: bool) -> u32 {
+    let beam = beam_from(receiver, select(0.0, receiver.size, is_rough));
+    if by_itself {
+        let row = object_row(receiver.object);
+        return points_among(casters, row, beam, receiver.facet, is_rough);
+    }
+    let root = caster_root(receiver.casters);
+    return points_among_others(casters, root, beam, receiver.object, is_rough);
+}
+
+/// The share of a light that is kept from a pixel, from 0 to 1. Where the pixel's corners and its
+/// middle agree, the pixel does; else lines across it measure the share.
 fn shadow_of_pixel(casters: Casters, receiver: Receiver, by_itself: bool) -> f32 {
     if !can_be_blocked(receiver, by_itself) {
         return 0.0;
@@ -114,12 +114,22 @@ fn shadow_of_pixel(casters: Casters, receiver: Receiver, by_itself: bool) -> f32
     if receiver.size > 0.0 {
         return shadow_of_size(casters, receiver, by_itself);
     }
-    return share_of_samples(samples_blocked(casters, receiver, by_itself, false));
+    let points = points_blocked(casters, receiver, by_itself, false);
+    if points == 0u || points == ALL_POINTS {
+        return select(0.0, 1.0, points != 0u);
+    }
+    let beam = beam_from(receiver, 0.0);
+    if by_itself {
+        let row = object_row(receiver.object);
+        return share_of_samples(samples_among(casters, row, beam, receiver.facet));
+    }
+    let root = caster_root(receiver.casters);
+    return share_of_samples(samples_among_others(casters, root, beam, receiver.object));
 }
 
 /// True if no triangle stands between any place of a pixel and any place of its light.
 fn is_free(casters: Casters, receiver: Receiver, by_itself: bool) -> bool {
-    return has_no_samples(samples_blocked(casters, receiver, by_itself, true));
+    return points_blocked(casters, receiver, by_itself, true) == 0u;
 }
 
 /// One of places that fill a square of side 1 evenly: the R sequence of two dimensions (Roberts
