@@ -47,6 +47,7 @@ pub(super) fn read_surface(
         object: object.map_or_else(ObjectFrame::default, |object| {
             ObjectFrame::new(object.center(), object.world_from_object)
         }),
+        aims: setup.aims(),
     };
     Ok(Some(ReadSurface { seen, frames }))
 }

@@ -139,6 +139,7 @@ impl ProbedPlace<'_> {
             illumination: DQuat::from_array(scene.illumination).normalize(),
             camera_from_world: self.plan.view.rotation(),
             object: ObjectFrame::new(self.object.center(), self.object.world_from_object),
+            aims: self.setup.aims(),
         };
         let mut values = LightValues::new(light, &frames);
         for master in light.groups.iter().filter_map(|group| scene.light_groups.get(group)) {

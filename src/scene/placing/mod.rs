@@ -97,7 +97,8 @@ impl PlacingObstacle {
 
 /// Places a light, whose frames are `frames`, so that `goal` is met at `point`: turns a directional
 /// light, moves a lamp at its distance, and turns a spot light so that the point keeps its place in
-/// the cone. A spot that shone past the point is aimed at it.
+/// the cone. A spot that shone past the point is aimed at it. A light that is aimed at an object
+/// stays so: a directional one moves about the object instead.
 ///
 /// # Errors
 /// The reason why no light meets the goal.
@@ -136,6 +137,14 @@ pub fn place_light(
         }
     };
     let mut placed = light.clone();
+    let target = light.aimed_at.as_ref().and_then(|id| frames.aims.get(id)).copied();
+    if let (LightKind::Directional, Some(target)) = (light.kind, target) {
+        let around = values.position().distance(target);
+        let around = if around > 0.0 { around } else { 1.0 };
+        let position = target + toward * around;
+        placed.position = written(values.own_from_world * (position - values.own_origin));
+        return Ok(PlacedLight { light: placed, kept: None, is_aimed: false });
+    }
     if light.kind == LightKind::Directional {
         placed.direction = written(values.own_from_world * toward);
         return Ok(PlacedLight { light: placed, kept: None, is_aimed: false });
@@ -143,7 +152,7 @@ pub fn place_light(
     let position = point.position + toward * distance;
     placed.position = written(values.own_from_world * (position - values.own_origin));
     let mut is_aimed = false;
-    if light.kind == LightKind::Spot {
+    if light.kind == LightKind::Spot && target.is_none() {
         is_aimed = values.aim().dot(-present) <= values.cone[1];
         let turn = DQuat::from_rotation_arc(-present, -toward);
         let aim = if is_aimed { -toward } else { turn * values.aim() };

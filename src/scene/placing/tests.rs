@@ -36,6 +36,7 @@ fn frames() -> LightFrames {
             center: DVec3::new(0.5, 1.5, -0.3),
             turn: DQuat::from_rotation_z(1.1),
         },
+        aims: Default::default(),
     }
 }
 
@@ -242,4 +243,31 @@ fn what_is_impossible_says_why() {
     assert_eq!(place(&lamp, &at, highlight), Err(PlacingObstacle::LampOnPoint));
     let far = PlacingGoal::Angle(Parametrization::HalfVector, 3.0);
     assert_eq!(place(&light, &at, far), Err(PlacingObstacle::NoSuchAngle));
+}
+
+/// A light that is aimed at an object moves about it, and has the angle all the same.
+#[test]
+fn a_light_that_is_aimed_at_an_object_stays_so() {
+    let target = DVec3::new(0.3, -0.2, 0.4);
+    let frames = LightFrames {
+        aims: std::sync::Arc::new([("hero".into(), target)].into_iter().collect()),
+        ..frames()
+    };
+    for light in lights().filter(|light| light.kind != LightKind::Point) {
+        let light = Light { aimed_at: Some("hero".into()), ..light };
+        let goal = PlacingGoal::Angle(Parametrization::Diffuse, 0.5);
+        let placed = place_light(&light, &frames, &point(), &goal).unwrap().light;
+        assert_eq!(placed.aimed_at, light.aimed_at);
+        assert_eq!((placed.aim, placed.direction), (light.aim, light.direction));
+        let [before, after] = [&light, &placed].map(|light| LightValues::new(light, &frames));
+        let toward = match light.kind {
+            LightKind::Directional => after.direction(),
+            _ => (after.position() - point().position).normalize(),
+        };
+        assert!((point().normal.dot(toward).acos() - 0.5).abs() < 1e-7, "{light:?}");
+        if light.kind == LightKind::Directional {
+            let around = |values: &LightValues| values.position().distance(target);
+            assert!((around(&before) - around(&after)).abs() < 1e-7, "{light:?}");
+        }
+    }
 }
