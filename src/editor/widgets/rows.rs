@@ -139,8 +139,8 @@ impl<I> NameEdit<I> {
 }
 
 /// True if a field that lost the keyboard in this frame was left with its text, and not given up by
-/// Escape. Others may have taken the press of that key: the field loses the keyboard before anything
-/// is shown.
+/// Escape. Others may have taken the press of that key: the field loses the keyboard before
+/// anything is shown.
 pub(crate) fn leaves_with_text(ui: &Ui) -> bool {
     !ui.input(|input| input.key_pressed(Key::Escape) || input.key_down(Key::Escape))
 }

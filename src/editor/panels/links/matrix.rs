@@ -31,7 +31,8 @@ pub(super) struct LinkState {
 /// Lights and objects of a setup, with what decides between each two.
 #[derive(Debug, Default)]
 pub(super) struct LinkMatrix {
-    /// Lights that reach objects, and those that do not; lights that no look of the object has are not there.
+    /// Lights that reach objects, and those that do not; a light that no look of the object has is
+    /// not there.
     reach: HashMap<ObjectId, IndexMap<LightId, LinkState>>,
     /// Lights whose shadows an object casts or not, and objects that it casts them onto.
     casts: IndexMap<ObjectId, (IndexMap<LightId, LinkState>, BTreeSet<ObjectId>)>,
