@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use indexmap::IndexMap;
 
-use crate::document::{Light, LightLink, LightSet, LinkRule, Object, SetTerm};
+use crate::document::{Light, LightLink, LightRelation, LightSet, LinkRule, Object, SetTerm};
 use crate::ids::LightId;
 
 /// Relation between lights and objects.
@@ -68,13 +68,10 @@ impl Relation {
 
     /// A rule of the link in words, with the names that the sets have in files.
     pub(super) fn words(self, link: &LightLink, rule: LinkRule) -> String {
-        let words = link.words(rule);
         match self {
-            Self::Light => words,
-            Self::Shadow => words
-                .replace("`unlinked`", "`unshadowed`")
-                .replace("`linked`", "`shadowed`")
-                .replace("all lights are linked", "it casts the shadows of all lights"),
+            Self::Light => link.words(LightRelation::Linked, rule),
+            Self::Shadow if link.is_all() => "it casts the shadows of all lights".to_owned(),
+            Self::Shadow => link.words(LightRelation::Shadowed, rule),
         }
     }
 }
