@@ -446,7 +446,7 @@ fn thin_lines_are_the_same_in_the_fast_tier() {
     assert!(differ(14.0) > 100);
 }
 
-/// What reaches out of the picture has no line where the picture ends.
+/// A wall that reaches out of the picture has no line where the picture ends.
 #[test]
 fn the_edge_of_the_picture_is_no_edge() {
     let (wall, _) = shape("plane");

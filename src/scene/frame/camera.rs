@@ -208,8 +208,8 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
     )
 }
 
-/// The shader's `Object` uniform: of a part of the object `id`, with the alpha cutoff of its material
-/// and the number of its look.
+/// The shader's `Object` uniform: of a part of the object `id`, with the alpha cutoff of its
+/// material and the number of its look.
 pub(super) fn object_uniform(
     world_from_object: DMat4,
     id: f64,
