@@ -92,7 +92,7 @@ fn a_light_follows_a_drag_and_escape_gives_it_back() {
 fn what_cannot_be_says_why_and_changes_nothing() {
     let mut hand = on_ball();
     hand.press("Place light");
-    let (old, beside) = (key(&hand), at(&hand, 0.4, 0.43));
+    let (old, beside) = (key(&hand), at(&hand, 0.4, -0.4));
     hand.click(beside);
     hand.settle();
     assert!(hand.app().placing().hint().starts_with("Nothing is there"));
@@ -144,7 +144,7 @@ fn the_lamp_of_a_scene_goes_where_its_shadow_falls() {
     hand.press("Place light");
     hand.press("Place by its shadow");
     assert!(hand.app().placing().hint().starts_with("Click what casts the shadow"));
-    let (caster, shadow) = (at(&hand, -0.17, 0.0), at(&hand, 0.2, -0.1));
+    let (caster, shadow) = (at(&hand, -0.22, 0.0), at(&hand, 0.2, -0.1));
     hand.click(caster);
     hand.settle();
     assert_eq!(lamp(&hand), old);
@@ -229,7 +229,7 @@ fn a_light_is_looked_through_and_goes_with_the_view() {
     let mut hand = on_ball();
     let (old, before) = (key(&hand), hand.app().session().view().orbit().clone());
     let steps = hand.app().session().steps().done();
-    let beside = at(&hand, 0.4, 0.43);
+    let beside = at(&hand, 0.4, -0.4);
     hand.hover(beside);
     hand.key(Key::O);
     hand.settle();

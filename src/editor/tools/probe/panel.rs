@@ -101,8 +101,8 @@ impl Probe {
             (false, "Wires", "The value on every wire at the pixel, f32 beside f64"),
             (
                 true,
-                "Lights",
-                "Why it is lit so: each light with its strength there, and the rule by \
+                "Why lit so",
+                "Each light with its strength there, and the rule by \
                               which it reaches the object or does not",
             ),
         ];
