@@ -24,15 +24,15 @@ use serde_json::{Value as Json, json};
 const ROUNDS: usize = 9;
 
 /// Nodes whose numbers a look multiplies.
-struct Asked {
+struct Request {
     name: String,
     nodes: Vec<Json>,
 }
 
 /// A row of each thing that is asked, the first without any of them.
-fn rows() -> Vec<Asked> {
+fn rows() -> Vec<Request> {
     let node = |kind: &str, values: Json| json!({"kind": kind, "values": values});
-    let row = |name: &str, nodes: Vec<Json>| Asked { name: name.to_owned(), nodes };
+    let row = |name: &str, nodes: Vec<Json>| Request { name: name.to_owned(), nodes };
     let shadow = |kind: &str, size: f64| node(kind, json!({"light": "light_0", "size": size}));
     let many = |count: usize| {
         let cast = |number| node("cast_shadow", json!({"light": format!("light_{number}")}));
@@ -57,7 +57,7 @@ fn rows() -> Vec<Asked> {
 }
 
 /// A look whose color is the product of what is asked.
-fn look_of(asked: &Asked, tier: &str) -> SetupLook {
+fn look_of(asked: &Request, tier: &str) -> SetupLook {
     let light = |number: usize| {
         let (sine, cosine) = (0.7 * number as f64 + 0.6).sin_cos();
         (format!("light_{number}"), json!({"direction": [sine, 0.8, cosine], "space": "world"}))
@@ -84,7 +84,7 @@ fn look_of(asked: &Asked, tier: &str) -> SetupLook {
     look(&json!({"tier": tier, "lights": lights, "nodes": nodes, "wires": wires}))
 }
 
-fn plan(asked: &Asked, tier: &str, size: [u32; 2]) -> FramePlan {
+fn plan(asked: &Request, tier: &str, size: [u32; 2]) -> FramePlan {
     let at = |x: f64, y: f64, z: f64, size: f64| {
         DMat4::from_translation(DVec3::new(x, y, z)) * DMat4::from_scale(DVec3::splat(size))
     };

@@ -179,13 +179,14 @@ fn samples_below(count: vec4f) -> vec4u {
     return select(some, EVERY_SAMPLE, count > vec4f(31.5));
 }
 
-/// The samples of spans on four lines. Those of each line stand a little further than those of the
-/// line before.
+/// The samples of spans on four lines. Those of each line stand further than those of the line
+/// before, by the golden ratio of a step: so lines round an edge differently, whatever its slope.
 fn samples_in(spans: Spans, places: vec4f) -> vec4u {
     let count = f32(LINE_SAMPLES);
     let most = vec4f(count);
-    let before = clamp(ceil(count * (spans.first + 0.5) - 0.5 - places), vec4f(0.0), most);
-    let until = clamp(floor(count * (spans.last + 0.5) + 0.5 - places), vec4f(0.0), most);
+    let further = fract(0.5 + 0.6180339887 * (0.5 * f32(PIXEL_LINES)) * places) - 0.5;
+    let before = clamp(ceil(count * (spans.first + 0.5) - 0.5 - further), vec4f(0.0), most);
+    let until = clamp(floor(count * (spans.last + 0.5) + 0.5 - further), vec4f(0.0), most);
     return samples_below(until) & ~samples_below(before);
 }
 

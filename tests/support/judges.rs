@@ -55,6 +55,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("frame", &["src/scene/frame"]),
     ("geometry", &["src/scene/geometry"]),
     ("hcbtf", &["src/scene/hcbtf"]),
+    ("placing", &[]),
     ("threads", &[]),
     // Executors.
     ("reference", &["src/reference"]),

@@ -573,8 +573,8 @@ fn objects_cast_the_shadows_that_their_links_say() {
     assert!(linked(of("*", "rim", "*", ""), ["key", "key"])[0] > 300);
 }
 
-/// A shadow layer multiplies what is below by its color, where the light is kept away, as far as the
-/// light is there.
+/// A shadow layer multiplies what is below by its color, where the light is kept away, as far as
+/// the light is there.
 #[test]
 fn a_shadow_layer_goes_with_its_light() {
     let below = [0.8, 0.5, 0.3];

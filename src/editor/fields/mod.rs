@@ -3,6 +3,7 @@
 
 pub(crate) mod constant_wires;
 pub(crate) mod keyed;
+pub(crate) mod layer;
 pub(crate) mod lighting;
 pub(crate) mod mark;
 pub(crate) mod marks;

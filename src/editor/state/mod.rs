@@ -7,7 +7,6 @@ pub(crate) mod document;
 pub(crate) mod fixes;
 pub(crate) mod interface;
 pub(crate) mod keying;
-pub(crate) mod layer;
 pub(crate) mod orbit;
 pub(crate) mod painting;
 pub(crate) mod paths;

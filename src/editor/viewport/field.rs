@@ -7,8 +7,8 @@ use glam::{DVec3, Vec3};
 use super::surface::Surface;
 use crate::compile::LightValues;
 use crate::document::{Light, LightFrames, LightKind};
+use crate::fields::layer::SelectedLayer;
 use crate::placing::Parametrization;
-use crate::state::layer::SelectedLayer;
 use crate::state::session::Session;
 
 /// Angle of a pixel that shows no surface.

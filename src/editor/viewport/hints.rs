@@ -3,7 +3,7 @@
 use eframe::egui::{Pos2, Rect};
 
 use super::{Drag, Handles, Viewport, is_on_object};
-use crate::state::layer;
+use crate::fields::layer;
 use crate::state::session::Session;
 
 impl Viewport {

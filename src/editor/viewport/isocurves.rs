@@ -16,7 +16,7 @@ use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::Value;
-use crate::state::layer::{Curve, SelectedLayer};
+use crate::fields::layer::{Curve, SelectedLayer};
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::theme;

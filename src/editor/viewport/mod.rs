@@ -31,10 +31,10 @@ use std::sync::Arc;
 
 use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, PictureExport, SceneCommand, ViewCommand, keyboard};
+use crate::fields::layer::{self, Curve, SelectedLayer};
 use crate::ids::ObjectId;
 use crate::placing::Parametrization;
 use crate::render::Gpu;
-use crate::state::layer::{self, Curve, SelectedLayer};
 use crate::state::orbit::Orbit;
 use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;

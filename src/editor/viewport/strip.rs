@@ -9,7 +9,7 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::Value;
-use crate::state::layer::{Curve, SelectedLayer, Setting};
+use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::theme;

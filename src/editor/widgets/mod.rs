@@ -4,6 +4,7 @@ pub(crate) mod color;
 pub(crate) mod confirm;
 pub(crate) mod curve;
 pub(crate) mod handle;
+pub(crate) mod icon;
 pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;

@@ -1,20 +1,16 @@
 //! Controls of the brushes, above the picture.
 
-use eframe::egui::{
-    self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{self, DragValue, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::FitTool;
 use super::tools::SIZES;
 use crate::commands::{Command, FitCommand, LightBrush, Switch};
 use crate::document::ColorSpace;
 use crate::widgets::color;
-use crate::widgets::theme;
+use crate::widgets::icon::icon_toggle;
 
 /// Largest width of a field with its name, in points.
 const PERCENT: f32 = 110.0;
-/// Width of the button at the beginning of the bar, in points.
-const SUN: f32 = 28.0;
 
 impl FitTool {
     /// Shows the button that turns painting on and off.
@@ -79,30 +75,17 @@ impl FitTool {
     }
 }
 
-/// Shows a button with a half-painted sun: the bar has no room for words.
+/// Shows a button with a half-painted sun.
 fn sun(ui: &mut Ui, is_on: bool) -> Response {
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, "Paint light"));
-    let colors = theme::of(ui);
-    let fill = match (is_on, response.hovered()) {
-        (true, _) => colors.accent_dim,
-        (false, true) => colors.field_hovered,
-        (false, false) => colors.field,
-    };
-    let painter = ui.painter();
-    painter.rect_filled(rect, 4.0, fill);
-    if is_on || response.has_focus() {
-        painter.rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent), StrokeKind::Inside);
-    }
-    let (at, stroke) = (rect.center(), Stroke::new(1.4, colors.text));
-    painter.circle_stroke(at, 3.6, stroke);
-    painter.with_clip_rect(rect.split_left_right_at_x(at.x).1).circle_filled(at, 3.6, colors.text);
-    for ray in 0..8_u8 {
-        let way = egui::Vec2::angled(f32::from(ray) * std::f32::consts::FRAC_PI_4);
-        painter.line_segment([at + way * 5.6, at + way * 8.0], stroke);
-    }
-    response
+    icon_toggle(ui, is_on, "Paint light", |painter, at, stroke| {
+        painter.circle_stroke(at, 3.6, stroke);
+        let right = Rect::everything_right_of(at.x);
+        painter.with_clip_rect(right).circle_filled(at, 3.6, stroke.color);
+        for ray in 0..8_u8 {
+            let way = egui::Vec2::angled(f32::from(ray) * std::f32::consts::FRAC_PI_4);
+            painter.line_segment([at + way * 5.6, at + way * 8.0], stroke);
+        }
+    })
 }
 
 /// Shows a field for a fraction, in percent.

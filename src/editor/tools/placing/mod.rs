@@ -15,16 +15,17 @@ use glam::DVec3;
 use indexmap::IndexSet;
 
 use crate::commands::{Command, LightMark, PlacingCommand, table};
+use crate::fields::layer::{self, SelectedLayer, middle_name};
 use crate::fields::lighting::{OwnedLight, Owner, light_in_view, set_light_like};
 use crate::ids::LightId;
 use crate::placing::{KeptDistance, Parametrization, PlacedLight, terminator_angle};
 use crate::progress::Progress;
-use crate::state::layer::{self, SelectedLayer, middle_name};
 use crate::state::session::Session;
 use crate::state::snapshot::CachedPlanner;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
+use crate::widgets::icon::icon_toggle;
 use crate::widgets::theme;
 use work::{PlacingAnswer, PlacingRequest, PlacingTask, SurfaceAnswer, WantedMark};
 
@@ -354,9 +355,15 @@ impl PlacingTool {
     /// Shows the button that begins and ends placing.
     fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let command = Command::Placing(PlacingCommand::Turn(crate::commands::Switch::Toggle));
-        let mut is_on = self.is_on;
-        let help = table::help_of(&command);
-        if ui.toggle_value(&mut is_on, "Place light").on_hover_text(help).changed() {
+        let help = format!("Place light: {}", table::help_of(&command));
+        // A light, and the way from it to a place.
+        let button = icon_toggle(ui, self.is_on, "Place light", |painter, at, stroke| {
+            let (light, place) = (at + vec2(3.5, -3.5), at + vec2(-5.5, 5.5));
+            painter.circle_filled(light, 3.4, stroke.color);
+            painter.line_segment([light.lerp(place, 0.45), light.lerp(place, 0.75)], stroke);
+            painter.circle_filled(place, 1.6, stroke.color);
+        });
+        if button.on_hover_text(help).clicked() {
             out.push(command);
         }
     }

@@ -23,7 +23,7 @@ pub(super) struct PlannedCasters {
     receivers: HashMap<usize, LitBy>,
 }
 
-/// Whose shadows reach an object.
+/// Shadows that reach an object, by their lights.
 #[derive(Default)]
 struct LitBy {
     /// The casters of each light that may be about it.
