@@ -77,11 +77,11 @@ pub fn probe_surface(
     let Some(fragment) = fragment else { return Ok(None) };
     let Some(draw) = plan.draws.get(fragment.draw) else { return Ok(None) };
     let numbers = |node: &str| {
-        let of_node = fragment.values.iter().filter(|value| {
+        let mut of_node = fragment.values.iter().rev().filter(|value| {
             let path = draw.look.spans.node_at(value.span.start);
             path.is_some_and(|path| path.to_string() == node)
         });
-        of_node.last().map(|value| value.numbers.as_slice())
+        of_node.next().map(|value| value.numbers.as_slice())
     };
     let vector = |node: &str| numbers(node).and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
     let (Some(position), Some(normal)) = (vector("position"), vector("normal")) else {

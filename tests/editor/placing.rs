@@ -35,8 +35,8 @@ fn probed(hand: &mut User, point: Pos2, node: &str) -> Vec<f64> {
     hand.click(point);
     hand.settle();
     let wires = hand.app().probe().wires();
-    let of_node = wires.iter().filter(|wire| wire.node.to_string() == node);
-    let numbers = of_node.last().unwrap_or_else(|| panic!("{node}: {wires:?}")).double.clone();
+    let mut of_node = wires.iter().rev().filter(|wire| wire.node.to_string() == node);
+    let numbers = of_node.next().unwrap_or_else(|| panic!("{node}: {wires:?}")).double.clone();
     hand.press("Probe pixel");
     numbers
 }

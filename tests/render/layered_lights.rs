@@ -21,6 +21,7 @@ fn set(text: &str) -> LightSet {
 
 /// A look of a layer for each of three lights, which two of them share; `links` are those of the
 /// layers.
+#[expect(clippy::needless_pass_by_value, reason = "JSON is written where it is passed")]
 fn layers(links: [Json; 3]) -> SetupLook {
     let lights = ["key", "fill", "key"];
     let layer = |index: usize, color: [f64; 3]| {
@@ -192,6 +193,7 @@ fn links_of_nodes_in_groups_are_what_the_algebra_of_sets_says() {
 }
 
 /// A look that sums something over four lights.
+#[expect(clippy::needless_pass_by_value, reason = "JSON is written where it is passed")]
 fn summed(nodes: Json, wires: Json, more: Json) -> SetupLook {
     let mut nodes = nodes.as_array().unwrap().clone();
     nodes.push(json!({"id": "join", "kind": "sum_of_lights"}));

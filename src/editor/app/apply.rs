@@ -111,29 +111,12 @@ impl App {
                 self.turn_probe(ui, on);
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
-            Command::Export(export, Some(path)) => {
-                self.bench.viewport.export(&self.session, export, path);
-            }
-            Command::Export(export, None) => {
-                self.dialogs.ask(FilePurpose::Export(export), self.session.path());
-            }
-            Command::ExportPicture => {
-                let size = self.bench.viewport.size_in_pixels(ui.pixels_per_point());
-                let purpose = FilePurpose::Export(PictureExport::Picture(size));
-                self.dialogs.ask(purpose, self.session.path());
-            }
-            Command::CopyShader(language, ending) => {
-                self.look_exports.copy(&self.session, language, ending);
-            }
-            Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder);
-            }
-            Command::ExportLook(language, None) => {
-                let near = self.look_exports.suggested(&self.session);
-                self.dialogs.ask(FilePurpose::Shaders(language), Some(&near));
-            }
-            Command::CopyPicture => self.copy_picture(ui),
-            Command::CopyWgsl => self.copy_wgsl(ui),
+            command @ (Command::Export(..)
+            | Command::ExportPicture
+            | Command::CopyShader(..)
+            | Command::ExportLook(..)
+            | Command::CopyPicture
+            | Command::CopyWgsl) => self.export(ui, command),
             Command::ShowReference(Some(path)) => self.show_reference(&path),
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
@@ -171,6 +154,36 @@ impl App {
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
+        }
+    }
+
+    /// Carries out a command that takes a picture or a shader out of the window.
+    fn export(&mut self, ui: &Ui, command: Command) {
+        match command {
+            Command::Export(export, Some(path)) => {
+                self.bench.viewport.export(&self.session, export, path);
+            }
+            Command::Export(export, None) => {
+                self.dialogs.ask(FilePurpose::Export(export), self.session.path());
+            }
+            Command::ExportPicture => {
+                let size = self.bench.viewport.size_in_pixels(ui.pixels_per_point());
+                let purpose = FilePurpose::Export(PictureExport::Picture(size));
+                self.dialogs.ask(purpose, self.session.path());
+            }
+            Command::CopyShader(language, ending) => {
+                self.look_exports.copy(&self.session, language, ending);
+            }
+            Command::ExportLook(language, Some(folder)) => {
+                self.look_exports.write(&self.session, language, folder);
+            }
+            Command::ExportLook(language, None) => {
+                let near = self.look_exports.suggested(&self.session);
+                self.dialogs.ask(FilePurpose::Shaders(language), Some(&near));
+            }
+            Command::CopyPicture => self.copy_picture(ui),
+            Command::CopyWgsl => self.copy_wgsl(ui),
+            _ => {}
         }
     }
 

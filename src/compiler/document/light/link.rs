@@ -223,9 +223,11 @@ mod tests {
         IDS.map(|id| (id.into(), light(id))).into()
     }
 
-    /// A set of lights with its members as numbers of [`IDS`], by what was there before.
-    fn sets() -> impl Strategy<Value = (String, fn(u8) -> u8)> {
-        let cases: Vec<(String, fn(u8) -> u8)> = vec![
+    /// A set of lights, and its members as bits of [`IDS`], by what was there before.
+    type SetCase = (String, fn(u8) -> u8);
+
+    fn sets() -> impl Strategy<Value = SetCase> {
+        let cases: Vec<SetCase> = vec![
             (String::new(), |_| 0),
             ("*".to_owned(), |_| 0b1111),
             ("key | rim".to_owned(), |_| 0b0101),
@@ -287,7 +289,7 @@ mod tests {
             over in [sets(), sets()],
             around in 0_u8..16,
         ) {
-            let set = |(text, _): &(String, fn(u8) -> u8)| LightSet::parse(text).unwrap();
+            let set = |(text, _): &SetCase| LightSet::parse(text).unwrap();
             let links = NodeLinks {
                 layered: set(&own[0]),
                 unlayered: set(&own[1]),
@@ -304,7 +306,7 @@ mod tests {
             let both = links.under(&row);
             let ids = IDS.iter().enumerate().filter(|(bit, _)| around >> bit & 1 == 1);
             let ids: BTreeSet<LightId> = ids.map(|(_, id)| LightId::from(*id)).collect();
-            let without = |sets: &[(String, fn(u8) -> u8); 2], source: u8| {
+            let without = |sets: &[SetCase; 2], source: u8| {
                 let first = (sets[0].1)(source);
                 first & !(sets[1].1)(first)
             };

@@ -81,7 +81,9 @@ impl PlacingTool {
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut planner = CachedPlanner::new(crate::frame::Planner::for_truth);
         Self {
-            worker: Worker::new("placing", wake, move |request| work::place(&mut planner, request)),
+            worker: Worker::new("placing", wake, move |request| {
+                work::place(&mut planner, &request)
+            }),
             progress: Progress::new(),
             is_on: false,
             mark: LightMark::Highlight,

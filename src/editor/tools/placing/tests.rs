@@ -73,8 +73,8 @@ fn read(snapshot: &RenderSnapshot, pixel: [u32; 2], node: &str) -> Vec<f64> {
     let plan = planner.plan(&setup, &snapshot.library, &Live::All, &options).unwrap().value;
     let reference = ReferenceOptions::default();
     let wires = probe_wires(&plan, pixel, &reference, &Progress::new()).unwrap().unwrap();
-    let of_node = wires.iter().filter(|wire| wire.node.to_string() == node);
-    of_node.last().unwrap_or_else(|| panic!("{node}: {wires:?}")).double.clone()
+    let mut of_node = wires.iter().rev().filter(|wire| wire.node.to_string() == node);
+    of_node.next().unwrap_or_else(|| panic!("{node}: {wires:?}")).double.clone()
 }
 
 fn task(light: &Light, wanted: WantedMark) -> PlacingTask {
@@ -89,7 +89,7 @@ fn ask(
 ) -> Result<SurfaceAnswer, String> {
     let (snapshot, progress) = (snapshot.clone(), Progress::new());
     let request = PlacingRequest { number: 1, pixel, size: SIZE, snapshot, task, progress };
-    let PlacingAnswer { found, .. } = place(planner, request);
+    let PlacingAnswer { found, .. } = place(planner, &request);
     found
 }
 

@@ -52,9 +52,9 @@ pub(super) struct PlacingAnswer {
 }
 
 /// Carries out a request.
-pub(super) fn place(planner: &mut CachedPlanner, request: PlacingRequest) -> PlacingAnswer {
+pub(super) fn place(planner: &mut CachedPlanner, request: &PlacingRequest) -> PlacingAnswer {
     let number = request.number;
-    let found = match read(planner, &request) {
+    let found = match read(planner, request) {
         Err(problems) => Err(problems.first().map_or_else(String::new, sentence)),
         Ok(None) => Err("Nothing is there: click on the model".to_owned()),
         Ok(Some(surface)) => match &request.task {
