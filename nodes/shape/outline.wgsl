@@ -26,8 +26,9 @@ import chiaro::total;
 /// @param object from=object_id hidden
 /// @param viewport from=viewport hidden
 /// @param magnification from=magnification hidden
-/// @error fast 1 : where lines are wider than 1/100 of the picture's height, and, with several
-///   samples a pixel, in pixels at the silhouettes of what lies behind
+/// @error fast 32 : kind and distance of edges beyond 1/100 of the picture's height, where lines
+///   are wider than that, and, with several samples a pixel, in pixels at the silhouettes of what
+///   lies behind
 /// @source edges in depth, normals and objects after Saito and Takahashi 1990; distances by columns
 ///   after Meijster et al. 2000; courses after Reshetov 2009
 fn outline_height(
@@ -144,7 +145,8 @@ struct Outline {
     distance: f32,
 }
 
-fn drawn_outline(widths: vec4f, nearness: vec4f, reach: f32) -> Outline {
+fn drawn_outline(widths: vec4f, of_edges: vec4f, reach: f32) -> Outline {
+    let nearness = clamp(bounded_vec4(of_edges), vec4f(0.0), vec4f(reach));
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
     var kind = select(4.0, 3.0, covers.z == line);

@@ -85,10 +85,10 @@ fn grid([columns, rows]: [usize; 2]) -> impl Iterator<Item = DMat4> {
 /// distance in the order of objects and parts.
 fn one_by_one(plan: &FramePlan) -> FramePlan {
     let mut plan = plan.clone();
-    // An object's number stands in its uniform, before the cutoff.
+    // An object's number stands in its uniform, before the cutoff and the look's number.
     let number = |draw: &Draw| {
         let numbers = &draw.object_uniform.numbers;
-        numbers[numbers.len() - 2]
+        numbers[numbers.len() - 3]
     };
     plan.draws.sort_by(|a, b| {
         let nearer = b.distance.total_cmp(&a.distance);

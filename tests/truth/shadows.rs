@@ -233,7 +233,7 @@ const EYE: f64 = 50.0;
 const UNSEEN: f64 = 60.0;
 
 #[test]
-fn edges_cover_as_much_of_a_pixel_as_1024_rays_find() {
+fn edges_cover_as_much_of_a_pixel_as_many_rays_find() {
     let above = DVec3::new(0.3, UNSEEN, 0.2);
     for light in [
         TestLight::Sun(DVec3::new(0.02, 1.0, -0.015)),
@@ -256,7 +256,10 @@ fn edges_cover_as_much_of_a_pixel_as_1024_rays_find() {
                     // Half floats hold the picture.
                     assert!((found - wanted).abs() < 0.02, "{name} {light:?} at {pixel}: {found}");
                 } else {
-                    edges.push((found - share(pixel, light, &blockers, 1024)).abs());
+                    // The rays of a lattice stand in rows, which miss as much of edges along them.
+                    let off = |rays| (found - share(pixel, light, &blockers, rays)).abs();
+                    let rough = off(1 << 10);
+                    edges.push(if rough > 0.006 { off(1 << 14) } else { rough });
                 }
             }
             assert!(edges.len() > 60, "{name}: {} pixels at edges", edges.len());

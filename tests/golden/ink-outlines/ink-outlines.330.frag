@@ -544,12 +544,17 @@ vec4 own_nearness(vec4 nearness, vec2 middle, float depth_1, float object, float
     return (is_own ? nearness : other);
 }
 
-float inner_line_covers(float distance_, float width_1) {
-    return clamp(((width_1 + 0.5) - distance_), 0.0, min(width_1, 1.0));
+vec4 line_widths(float width_1, vec4 shares) {
+    vec4 widths_2 = (min(width_1, 10000.0) * shares);
+    return mix(vec4(0.0), widths_2, greaterThan(widths_2, vec4(1e-6)));
 }
 
-vec3 middle_line_covers(vec3 distance_1, vec3 width_2) {
-    vec3 half_1 = (0.5 * width_2);
+float inner_line_covers(float distance_, float width_2) {
+    return clamp(((width_2 + 0.5) - distance_), 0.0, min(width_2, 1.0));
+}
+
+vec3 middle_line_covers(vec3 distance_1, vec3 width_3) {
+    vec3 half_1 = (0.5 * width_3);
     return clamp((min((distance_1 + vec3(0.5)), half_1) - max((distance_1 - vec3(0.5)), -(half_1))), vec3(0.0), vec3(1.0));
 }
 
@@ -561,28 +566,30 @@ vec4 lines_cover(vec4 nearness_1, vec4 widths, float reach_1) {
     return mix(vec4(0.0), covers, greaterThan(nearness_1, vec4(0.0)));
 }
 
-Outline drawn_outline(vec4 widths_1, vec4 nearness_2, float reach_2) {
+Outline drawn_outline(vec4 widths_1, vec4 of_edges, float reach_2) {
     float kind_1 = 0.0;
-    vec4 _e3 = lines_cover(nearness_2, widths_1, reach_2);
-    float line = max(max(_e3.x, _e3.y), max(_e3.z, _e3.w));
-    kind_1 = ((_e3.z == line) ? 3.0 : 4.0);
-    float _e17 = kind_1;
-    kind_1 = ((_e3.y == line) ? 2.0 : _e17);
-    float _e22 = kind_1;
-    kind_1 = ((_e3.x == line) ? 1.0 : _e22);
-    vec4 near = mix(vec4(0.0), nearness_2, greaterThan(widths_1, vec4(0.0)));
+    vec4 nearness_3 = clamp(of_edges, vec4(0.0), vec4(reach_2));
+    vec4 _e7 = lines_cover(nearness_3, widths_1, reach_2);
+    float line = max(max(_e7.x, _e7.y), max(_e7.z, _e7.w));
+    kind_1 = ((_e7.z == line) ? 3.0 : 4.0);
+    float _e21 = kind_1;
+    kind_1 = ((_e7.y == line) ? 2.0 : _e21);
+    float _e26 = kind_1;
+    kind_1 = ((_e7.x == line) ? 1.0 : _e26);
+    vec4 near = mix(vec4(0.0), nearness_3, greaterThan(widths_1, vec4(0.0)));
     float nearest = max(max(near.x, near.y), max(near.z, near.w));
-    float _e40 = kind_1;
-    return Outline(line, ((line > 0.001) ? _e40 : 0.0), (reach_2 - nearest));
+    float _e44 = kind_1;
+    return Outline(line, ((line > 0.001) ? _e44 : 0.0), (reach_2 - nearest));
 }
 
-Outline outline_height(float width_3, float silhouettes, float creases, float borders, float look_borders, vec4 nearness_3, vec2 middle_1, float depth_2, float object_1, vec2 viewport_1, float magnification) {
+Outline outline_height(float width_4, float silhouettes, float creases, float borders, float look_borders, vec4 nearness_2, vec2 middle_1, float depth_2, float object_1, vec2 viewport_1, float magnification) {
     float pixels_2 = (magnification * viewport_1.y);
     float reach_3 = min((16.0 * max(roundEven((viewport_1.y / 800.0)), 1.0)), 31.0);
-    vec4 _e23 = own_nearness(nearness_3, middle_1, depth_2, object_1, pixels_2, reach_3);
-    vec4 shares = vec4(silhouettes, creases, borders, look_borders);
-    Outline _e32 = drawn_outline((min((width_3 * (0.001 * viewport_1.y)), 10000.0) * shares), _e23, reach_3);
-    return _e32;
+    vec4 _e23 = own_nearness(nearness_2, middle_1, depth_2, object_1, pixels_2, reach_3);
+    vec4 shares_1 = vec4(silhouettes, creases, borders, look_borders);
+    vec4 _e29 = line_widths((width_4 * (0.001 * viewport_1.y)), shares_1);
+    Outline _e30 = drawn_outline(_e29, _e23, reach_3);
+    return _e30;
 }
 
 float noise_perlin(vec3 position, float scale_1, int octaves_1, float roughness_1, int seed_4) {
@@ -602,10 +609,10 @@ vec4 shade(Surface surface) {
     float heavy_in_the_shade = mix(1.6, 8.0, clamp(((_e5 - 0.75) / -0.6), 0.0, 1.0));
     float _e27 = noise_perlin(surface.position_object, 3.5, 2, 0.5, 0);
     float pressure = mix(0.7, 1.3, (_e27 - 0.0));
-    float width_4 = (heavy_in_the_shade * pressure);
+    float width_5 = (heavy_in_the_shade * pressure);
     float _e43 = u_look.object_id;
     vec2 _e46 = u_look.viewport;
-    Outline _e48 = outline_height(width_4, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
+    Outline _e48 = outline_height(width_5, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
     mat3x3 _e57 = u_look.camera_from_world;
     vec2 _e61 = u_look.viewport;
     float _e62 = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e57, surface.position_camera, _e61);

@@ -924,7 +924,8 @@ float line_pixels(float width, float pixels_1)
 float4 line_widths(float width_1, float4 shares)
 {
     const float4 _e4 = bounded_vec4_(shares);
-    return (min(width_1, 10000.0) * clamp(_e4, (0.0).xxxx, (100.0).xxxx));
+    float4 widths_1 = (min(width_1, 10000.0) * clamp(_e4, (0.0).xxxx, (100.0).xxxx));
+    return ((widths_1 > (1e-6).xxxx) ? widths_1 : (0.0).xxxx);
 }
 
 float inner_line_covers(float distance_1, float width_2)

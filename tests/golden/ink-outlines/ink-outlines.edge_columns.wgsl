@@ -992,7 +992,9 @@ fn line_pixels(width: f32, pixels: f32) -> f32 {
 
 /// Widths of lines of each kind, in pixels: shares of one width.
 fn line_widths(width: f32, shares: vec4f) -> vec4f {
-    return min(width, 1e4) * clamp(bounded_vec4(shares), vec4f(0.0), vec4f(100.0));
+    let widths = min(width, 1e4) * clamp(bounded_vec4(shares), vec4f(0.0), vec4f(100.0));
+    // What no pixel can show is no line.
+    return select(vec4f(0.0), widths, widths > vec4f(1e-6));
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is

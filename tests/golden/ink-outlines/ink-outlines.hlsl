@@ -672,14 +672,20 @@ float4 own_nearness(float4 nearness, float2 middle, float depth_1, float object,
     return (is_own ? nearness : other);
 }
 
-float inner_line_covers(float distance_, float width_1)
+float4 line_widths(float width_1, float4 shares)
 {
-    return clamp(((width_1 + 0.5) - distance_), 0.0, min(width_1, 1.0));
+    float4 widths_2 = (min(width_1, 10000.0) * shares);
+    return ((widths_2 > (1e-6).xxxx) ? widths_2 : (0.0).xxxx);
 }
 
-float3 middle_line_covers(float3 distance_1, float3 width_2)
+float inner_line_covers(float distance_, float width_2)
 {
-    float3 half_1 = (0.5 * width_2);
+    return clamp(((width_2 + 0.5) - distance_), 0.0, min(width_2, 1.0));
+}
+
+float3 middle_line_covers(float3 distance_1, float3 width_3)
+{
+    float3 half_1 = (0.5 * width_3);
     return clamp((min((distance_1 + (0.5).xxx), half_1) - max((distance_1 - (0.5).xxx), -(half_1))), (0.0).xxx, (1.0).xxx);
 }
 
@@ -700,32 +706,34 @@ Outline ConstructOutline(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-Outline drawn_outline(float4 widths_1, float4 nearness_2, float reach_2)
+Outline drawn_outline(float4 widths_1, float4 of_edges, float reach_2)
 {
     float kind_1 = (float)0;
 
-    const float4 _e3 = lines_cover(nearness_2, widths_1, reach_2);
-    float line_ = max(max(_e3.x, _e3.y), max(_e3.z, _e3.w));
-    kind_1 = ((_e3.z == line_) ? 3.0 : 4.0);
-    float _e17 = kind_1;
-    kind_1 = ((_e3.y == line_) ? 2.0 : _e17);
-    float _e22 = kind_1;
-    kind_1 = ((_e3.x == line_) ? 1.0 : _e22);
-    float4 near = ((widths_1 > (0.0).xxxx) ? nearness_2 : (0.0).xxxx);
+    float4 nearness_3 = clamp(of_edges, (0.0).xxxx, (reach_2).xxxx);
+    const float4 _e7 = lines_cover(nearness_3, widths_1, reach_2);
+    float line_ = max(max(_e7.x, _e7.y), max(_e7.z, _e7.w));
+    kind_1 = ((_e7.z == line_) ? 3.0 : 4.0);
+    float _e21 = kind_1;
+    kind_1 = ((_e7.y == line_) ? 2.0 : _e21);
+    float _e26 = kind_1;
+    kind_1 = ((_e7.x == line_) ? 1.0 : _e26);
+    float4 near = ((widths_1 > (0.0).xxxx) ? nearness_3 : (0.0).xxxx);
     float nearest = max(max(near.x, near.y), max(near.z, near.w));
-    float _e40 = kind_1;
-    const Outline outline = ConstructOutline(line_, ((line_ > 0.001) ? _e40 : 0.0), (reach_2 - nearest));
+    float _e44 = kind_1;
+    const Outline outline = ConstructOutline(line_, ((line_ > 0.001) ? _e44 : 0.0), (reach_2 - nearest));
     return outline;
 }
 
-Outline outline_height(float width_3, float silhouettes, float creases, float borders, float look_borders, float4 nearness_3, float2 middle_1, float depth_2, float object_1, float2 viewport_1, float magnification)
+Outline outline_height(float width_4, float silhouettes, float creases, float borders, float look_borders, float4 nearness_2, float2 middle_1, float depth_2, float object_1, float2 viewport_1, float magnification)
 {
     float pixels_2 = (magnification * viewport_1.y);
     float reach_3 = min((16.0 * max(round((viewport_1.y / 800.0)), 1.0)), 31.0);
-    const float4 _e23 = own_nearness(nearness_3, middle_1, depth_2, object_1, pixels_2, reach_3);
-    float4 shares = float4(silhouettes, creases, borders, look_borders);
-    const Outline _e32 = drawn_outline((min((width_3 * (0.001 * viewport_1.y)), 10000.0) * shares), _e23, reach_3);
-    const Outline outline_1 = _e32;
+    const float4 _e23 = own_nearness(nearness_2, middle_1, depth_2, object_1, pixels_2, reach_3);
+    float4 shares_1 = float4(silhouettes, creases, borders, look_borders);
+    const float4 _e29 = line_widths((width_4 * (0.001 * viewport_1.y)), shares_1);
+    const Outline _e30 = drawn_outline(_e29, _e23, reach_3);
+    const Outline outline_1 = _e30;
     return outline_1;
 }
 
@@ -748,10 +756,10 @@ float4 shade(Surface surface)
     float heavy_in_the_shade = lerp(1.6, 8.0, clamp(((_e5 - 0.75) / -0.6), 0.0, 1.0));
     const float _e27 = noise_perlin(surface.position_object, 3.5, int(2), 0.5, int(0));
     float pressure = lerp(0.7, 1.3, (_e27 - 0.0));
-    float width_4 = (heavy_in_the_shade * pressure);
+    float width_5 = (heavy_in_the_shade * pressure);
     float _e43 = look.object_id;
     float2 _e46 = look.viewport;
-    const Outline _e48 = outline_height(width_4, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
+    const Outline _e48 = outline_height(width_5, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
     float3x3 _e57 = look.camera_from_world;
     float2 _e61 = look.viewport;
     const float _e62 = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e57, surface.position_camera, _e61);

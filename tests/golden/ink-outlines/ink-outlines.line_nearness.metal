@@ -1004,7 +1004,8 @@ metal::float4 line_widths(
     metal::float4 shares
 ) {
     metal::float4 _e4 = bounded_vec4_(shares);
-    return metal::min(width_1, 10000.0) * metal::clamp(_e4, metal::float4(0.0), metal::float4(100.0));
+    metal::float4 widths_1 = metal::min(width_1, 10000.0) * metal::clamp(_e4, metal::float4(0.0), metal::float4(100.0));
+    return metal::select(metal::float4(0.0), widths_1, widths_1 > metal::float4(0.000001));
 }
 
 float inner_line_covers(

@@ -692,18 +692,26 @@ metal::float4 own_nearness(
     return is_own ? nearness : other;
 }
 
+metal::float4 line_widths(
+    float width_1,
+    metal::float4 shares
+) {
+    metal::float4 widths_2 = metal::min(width_1, 10000.0) * shares;
+    return metal::select(metal::float4(0.0), widths_2, widths_2 > metal::float4(0.000001));
+}
+
 float inner_line_covers(
     float distance,
-    float width_1
+    float width_2
 ) {
-    return metal::clamp((width_1 + 0.5) - distance, 0.0, metal::min(width_1, 1.0));
+    return metal::clamp((width_2 + 0.5) - distance, 0.0, metal::min(width_2, 1.0));
 }
 
 metal::float3 middle_line_covers(
     metal::float3 distance_1,
-    metal::float3 width_2
+    metal::float3 width_3
 ) {
-    metal::float3 half_1 = 0.5 * width_2;
+    metal::float3 half_1 = 0.5 * width_3;
     return metal::clamp(metal::min(distance_1 + metal::float3(0.5), half_1) - metal::max(distance_1 - metal::float3(0.5), -(half_1)), metal::float3(0.0), metal::float3(1.0));
 }
 
@@ -721,30 +729,31 @@ metal::float4 lines_cover(
 
 Outline drawn_outline(
     metal::float4 widths_1,
-    metal::float4 nearness_2,
+    metal::float4 of_edges,
     float reach_2
 ) {
     float kind_1 = {};
-    metal::float4 _e3 = lines_cover(nearness_2, widths_1, reach_2);
-    float line = metal::max(metal::max(_e3.x, _e3.y), metal::max(_e3.z, _e3.w));
-    kind_1 = (_e3.z == line) ? 3.0 : 4.0;
-    float _e17 = kind_1;
-    kind_1 = (_e3.y == line) ? 2.0 : _e17;
-    float _e22 = kind_1;
-    kind_1 = (_e3.x == line) ? 1.0 : _e22;
-    metal::float4 near = metal::select(metal::float4(0.0), nearness_2, widths_1 > metal::float4(0.0));
+    metal::float4 nearness_3 = metal::clamp(of_edges, metal::float4(0.0), metal::float4(reach_2));
+    metal::float4 _e7 = lines_cover(nearness_3, widths_1, reach_2);
+    float line = metal::max(metal::max(_e7.x, _e7.y), metal::max(_e7.z, _e7.w));
+    kind_1 = (_e7.z == line) ? 3.0 : 4.0;
+    float _e21 = kind_1;
+    kind_1 = (_e7.y == line) ? 2.0 : _e21;
+    float _e26 = kind_1;
+    kind_1 = (_e7.x == line) ? 1.0 : _e26;
+    metal::float4 near = metal::select(metal::float4(0.0), nearness_3, widths_1 > metal::float4(0.0));
     float nearest = metal::max(metal::max(near.x, near.y), metal::max(near.z, near.w));
-    float _e40 = kind_1;
-    return Outline {line, (line > 0.001) ? _e40 : 0.0, reach_2 - nearest};
+    float _e44 = kind_1;
+    return Outline {line, (line > 0.001) ? _e44 : 0.0, reach_2 - nearest};
 }
 
 Outline outline_height(
-    float width_3,
+    float width_4,
     float silhouettes,
     float creases,
     float borders,
     float look_borders,
-    metal::float4 nearness_3,
+    metal::float4 nearness_2,
     metal::float2 middle_1,
     float depth_2,
     float object_1,
@@ -753,10 +762,11 @@ Outline outline_height(
 ) {
     float pixels_2 = magnification * viewport_1.y;
     float reach_3 = metal::min(16.0 * metal::max(metal::rint(viewport_1.y / 800.0), 1.0), 31.0);
-    metal::float4 _e23 = own_nearness(nearness_3, middle_1, depth_2, object_1, pixels_2, reach_3);
-    metal::float4 shares = metal::float4(silhouettes, creases, borders, look_borders);
-    Outline _e32 = drawn_outline(metal::min(width_3 * (0.001 * viewport_1.y), 10000.0) * shares, _e23, reach_3);
-    return _e32;
+    metal::float4 _e23 = own_nearness(nearness_2, middle_1, depth_2, object_1, pixels_2, reach_3);
+    metal::float4 shares_1 = metal::float4(silhouettes, creases, borders, look_borders);
+    metal::float4 _e29 = line_widths(width_4 * (0.001 * viewport_1.y), shares_1);
+    Outline _e30 = drawn_outline(_e29, _e23, reach_3);
+    return _e30;
 }
 
 float noise_perlin(
@@ -785,10 +795,10 @@ metal::float4 shade(
     float heavy_in_the_shade = metal::mix(1.6, 8.0, metal::clamp((_e5 - 0.75) / -0.6, 0.0, 1.0));
     float _e27 = noise_perlin(surface.position_object, 3.5, 2, 0.5, 0);
     float pressure = metal::mix(0.7, 1.3, _e27 - 0.0);
-    float width_4 = heavy_in_the_shade * pressure;
+    float width_5 = heavy_in_the_shade * pressure;
     float _e43 = look.object_id;
     metal::float2 _e46 = look.viewport;
-    Outline _e48 = outline_height(width_4, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
+    Outline _e48 = outline_height(width_5, 1.0, 0.6, 1.0, 0.6, surface.line_nearness, surface.middle_surface, surface.depth, _e43, _e46, surface.magnification);
     metal::float3x3 _e57 = look.camera_from_world;
     metal::float2 _e61 = look.viewport;
     float _e62 = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e57, surface.position_camera, _e61);

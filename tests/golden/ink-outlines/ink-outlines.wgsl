@@ -425,6 +425,12 @@ fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels:
     return select(other, nearness, is_own);
 }
 
+/// Widths of lines of each kind, in pixels: shares of one width.
+fn line_widths(width: f32, shares: vec4f) -> vec4f {
+    let widths = min(width, 1e4) * shares;
+    return select(vec4f(0.0), widths, widths > vec4f(1e-6));
+}
+
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
 /// `distance` pixels away, inward.
 fn inner_line_covers(distance: f32, width: f32) -> f32 {
@@ -460,7 +466,7 @@ fn outline_height(width: f32, silhouettes: f32, creases: f32, borders: f32, look
     let reach = min(16.0 * max(round(viewport.y / 800.0), 1.0), 31.0);
     let own = own_nearness(nearness, middle, depth, object, pixels, reach);
     let shares = vec4f(silhouettes, creases, borders, look_borders);
-    return drawn_outline(min(width * (0.001 * viewport.y), 1e4) * shares, own, reach);
+    return drawn_outline(line_widths(width * (0.001 * viewport.y), shares), own, reach);
 }
 
 struct Outline {
@@ -474,7 +480,8 @@ struct Outline {
     distance: f32,
 }
 
-fn drawn_outline(widths: vec4f, nearness: vec4f, reach: f32) -> Outline {
+fn drawn_outline(widths: vec4f, of_edges: vec4f, reach: f32) -> Outline {
+    let nearness = clamp(of_edges, vec4f(0.0), vec4f(reach));
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
     var kind = select(4.0, 3.0, covers.z == line);
@@ -482,7 +489,6 @@ fn drawn_outline(widths: vec4f, nearness: vec4f, reach: f32) -> Outline {
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));
     let nearest = max(max(near.x, near.y), max(near.z, near.w));
-    // A share of nothing but rounding is of no kind.
     return Outline(line, select(0.0, kind, line > 1e-3), reach - nearest);
 }
 

@@ -112,7 +112,6 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
         });
     }
     for_each_row(ui, subject, out);
-    link_rows(ui, subject, out);
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
     let path = session.selection.path_of(id);
@@ -123,6 +122,8 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
         out,
     );
     lights_of(ui, subject, out);
+    // Below the light itself: few looks need them.
+    link_rows(ui, subject, out);
 }
 
 /// Number of inputs from which on there is a search field.
