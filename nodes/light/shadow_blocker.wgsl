@@ -1,5 +1,6 @@
 import chiaro::types;
 import chiaro::shadows;
+import chiaro::shadow_map;
 
 /// Shadow blocker
 ///
@@ -15,9 +16,12 @@ import chiaro::shadows;
 /// @param down from=pixel_down hidden
 /// @param object from=object_id hidden
 /// @param casters from=casters hidden
-/// @error fast 1e3 : distance and object within a pixel of a shadow's edge, where nothing is found
-///   although the shadow covers a part of the pixel
-/// @source rays over a tree of boxes
+/// @param map from=light.shadow_map hidden
+/// @param shadow_map from=shadow_map hidden
+/// @param shadow_map_behind from=shadow_map_behind hidden
+/// @error fast 1e3 : distance and object within a texel of the light's map of a shadow's edge, and
+///   where more than two objects hide one another from the light, of which the second is taken
+/// @source rays over a tree of boxes; maps after Williams 1978
 fn shadow_blocker(
     facet: Facet,
     source: vec4f,
@@ -35,17 +39,18 @@ fn shadow_blocker(
 }
 
 fn shadow_blocker_fast(
-    facet: Facet,
     source: vec4f,
-    caster_set: f32,
+    map: vec4f,
     position: vec3f,
-    normal: vec3f,
+    across: vec3f,
+    down: vec3f,
     object: f32,
-    casters: Casters,
+    shadow_map: ShadowMaps,
+    shadow_map_behind: ShadowMaps,
 ) -> ShadowBlocker {
-    let receiver = seen_by(Receiver(position, vec3f(0.0), vec3f(0.0), source, 0.0, caster_set,
-        object, facet), normal);
-    return found_blocker(blocker_of_ray(casters, receiver, vec2f(0.0)));
+    let surface = mapped_surface(shadow_map, map, source, position, across, down, object);
+    let found = blocker_in_map(shadow_map, shadow_map_behind, surface, source, position);
+    return ShadowBlocker(found.x, found.y);
 }
 
 fn found_blocker(found: vec2f) -> ShadowBlocker {

@@ -58,6 +58,9 @@ impl Evaluator {
                     let none = super::modules::casters_texture(&Casters::default())?;
                     bindings.texture(0, at, none);
                 }
+                BindingKind::Pass(_) => {
+                    bindings.texture(0, at, super::modules::unseen()?);
+                }
                 _ => {}
             }
         }

@@ -12,7 +12,7 @@ use super::shader::Shader;
 use super::texels::Texels;
 use super::tile::PassTarget;
 use crate::diag::Diagnostic;
-use crate::frame::{Draw, FramePlan, PassId, PassImage, Stage, TexelFormat};
+use crate::frame::{Draw, FramePlan, PassId, PassImage, ShadowMaps, Stage, TexelFormat};
 use crate::progress::Progress;
 
 /// Factory of the shaders for a frame plan.
@@ -42,6 +42,22 @@ pub trait ShaderFactory {
         pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
+
+    /// The shaders of the objects that a light sees in a layer of a pass that draws what lights
+    /// see, in the order of the layer's casters.
+    ///
+    /// # Errors
+    /// As [`screen`](Self::screen), and of factories that draw no such pass.
+    fn layer<'a>(
+        &'a self,
+        _maps: &'a ShadowMaps,
+        pass: PassId,
+        _layer: usize,
+        _images: &'a PassImages,
+    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic> {
+        let message = format!("nothing draws the pass `{}`", pass.label());
+        Err(Diagnostic::error("reference-plan", message))
+    }
 }
 
 /// Images of the passes so far, for later ones to read, rounded as [`ReferenceOptions::images`]
@@ -75,7 +91,7 @@ impl PassImages {
         self.insert(pass, made);
         for image in PassImage::written(pass) {
             let format = pass.row().writes[image.output].format;
-            let is_half = !pass.is_screen() && format == TexelFormat::Numbers;
+            let is_half = pass.stage().is_some() && format == TexelFormat::Numbers;
             if let Some(texels) = self.0.remove(&image) {
                 let rounded =
                     texels.rounded(|x| if is_half { rounding.half(x) } else { rounding.single(x) });
@@ -131,6 +147,7 @@ fn run(
                 continue;
             }
             Some(stage) => draw(plan, (id, stage), images, shaders, &around, &progress)?.texels,
+            None if id.is_of_lights() => draw_lights(plan, id, images, shaders, options, &progress)?,
             None => {
                 let shader = shaders.screen(plan, id, images)?;
                 shade_all(plan.size, channels(id), shader.as_ref(), &around, &progress)?
@@ -154,6 +171,38 @@ pub fn execute_screens(
     progress: &Progress,
 ) -> Result<(), Diagnostic> {
     run(plan, images, shaders, options, progress).map(drop)
+}
+
+/// Draws what lights see: layers one below the other.
+fn draw_lights(
+    plan: &FramePlan,
+    pass: PassId,
+    images: &PassImages,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
+    progress: &Progress,
+) -> Result<Texels, Diagnostic> {
+    let Some(maps) = &plan.shadow_maps else { return Ok(Texels::new([1, 1], channels(pass))) };
+    // All of a layer is drawn, whichever pixels of the picture are wanted.
+    let options = ReferenceOptions { region: None, ..*options };
+    let size = [maps.side, maps.side];
+    let mut made = Texels::new([maps.side, 0], channels(pass));
+    progress.begin(maps.layers.len() as u64);
+    for (number, layer) in maps.layers.iter().enumerate() {
+        let shaders = shaders.layer(maps, pass, number, images)?;
+        let triangles = layer.casters.iter().zip(&shaders).map(|(caster, shader)| Triangles {
+            indices: &maps.casters[*caster].mesh.indices,
+            shader: shader.as_ref(),
+            sides: Sides { both: true, is_mirrored: false },
+        });
+        let triangles: Vec<_> = triangles.collect();
+        let target = PassTarget::Numbers(channels(pass));
+        let progress = progress.part(1);
+        let layer = rasterize(size, 1, &target, &triangles, &options, &progress)?;
+        made.values.extend(layer.texels.values);
+        made.size[1] += maps.side;
+    }
+    Ok(made)
 }
 
 /// Draws one pass of meshes.

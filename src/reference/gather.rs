@@ -18,7 +18,7 @@ use super::shader::{
 };
 use super::texels::Coverage;
 use crate::diag::Diagnostic;
-use crate::frame::{Draw, FramePlan, PassId};
+use crate::frame::{Draw, FramePlan, PassId, ShadowMaps};
 use crate::interp::{Bindings, Precision};
 use crate::progress::Progress;
 
@@ -238,6 +238,16 @@ impl ShaderFactory for Recorder<'_> {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         self.modules.screen(plan, pass, images)
+    }
+
+    fn layer<'a>(
+        &'a self,
+        maps: &'a ShadowMaps,
+        pass: PassId,
+        layer: usize,
+        images: &'a PassImages,
+    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic> {
+        self.modules.layer(maps, pass, layer, images)
     }
 }
 

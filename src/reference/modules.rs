@@ -15,8 +15,8 @@ use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
-    BindingKind, Casters, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
-    ScreenModule, ScreenResource, VertexAttribute,
+    BindingKind, Casters, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, LightLayer,
+    LightModule, MapCaster, PassId, ScreenModule, ScreenResource, ShadowMaps, VertexAttribute,
 };
 use crate::interp::{
     self, AddressMode, Bindings, BoundProgram, Filter, LanePort, Lanes, Precision, Program,
@@ -52,6 +52,8 @@ pub struct Modules {
     /// Modules of passes over the whole picture.
     screens: HashMap<PassId, (ScreenModule, ModulePrograms)>,
     images: HashMap<(u64, bool), Texture>,
+    /// Modules of passes that draw what lights see.
+    lights: HashMap<PassId, (LightModule, ModulePrograms)>,
     /// Triangles that cast shadows, where a look reads them.
     casters: Option<Texture>,
     /// Pixel whose fragments are watched, if any.
@@ -88,6 +90,7 @@ impl Modules {
             precision,
             looks: HashMap::new(),
             screens: HashMap::new(),
+            lights: HashMap::new(),
             images: HashMap::new(),
             casters: plan.casters.as_deref().map(casters_texture).transpose()?,
             watch,
@@ -108,6 +111,10 @@ impl Modules {
             if let Some(module) = ScreenModule::of(pass).map_err(first)? {
                 let stages = ModulePrograms::compile(&module.valid, &module.text, false)?;
                 modules.screens.insert(pass, (module, stages));
+            }
+            if let Some(module) = LightModule::of(pass).map_err(first)? {
+                let stages = ModulePrograms::compile(&module.valid, &module.text, false)?;
+                modules.lights.insert(pass, (module, stages));
             }
         }
         Ok(modules)
@@ -200,6 +207,10 @@ impl Modules {
                         shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
+                BindingKind::Pass(pass) if pass.is_of_lights() => {
+                    let texels = images.first(*pass).ok_or_else(|| missing("what lights see"))?;
+                    bindings.texture(0, at, layers(texels)?);
+                }
                 BindingKind::Pass(pass) => {
                     bindings.texture(0, at, map(images.first(*pass), plan.size)?);
                 }
@@ -265,6 +276,45 @@ impl ShaderFactory for Modules {
         }
         Ok(Box::new(BoundModule::new(stages, &bindings, self.precision, None)?))
     }
+
+    fn layer<'a>(
+        &'a self,
+        maps: &'a ShadowMaps,
+        pass: PassId,
+        layer: usize,
+        images: &'a PassImages,
+    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic> {
+        let read = self.lights.get(&pass).and_then(|(module, _)| module.reads);
+        let first = match read {
+            Some(read) => Some(layers(images.first(read).ok_or_else(|| misplaced(pass, read))?)?),
+            None => None,
+        };
+        let layer = &maps.layers[layer];
+        let shader = |number: &usize| {
+            self.seen_by_light(pass, layer, &maps.casters[*number], first.as_ref())
+        };
+        layer.casters.iter().map(shader).collect()
+    }
+}
+
+impl Modules {
+    /// The shader of an object in a layer of a pass that draws what lights see.
+    fn seen_by_light<'a>(
+        &'a self,
+        pass: PassId,
+        layer: &LightLayer,
+        caster: &'a MapCaster,
+        first: Option<&Texture>,
+    ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        let (_, stages) = self.lights.get(&pass).ok_or_else(|| missing("the module of a pass"))?;
+        let mut bindings = Bindings::new();
+        buffer(&mut bindings, stages, 0, &layer.uniform.numbers);
+        buffer(&mut bindings, stages, 1, &caster.uniform.numbers);
+        if let Some(first) = first {
+            bindings.texture(0, 2, first.clone());
+        }
+        Ok(Box::new(BoundModule::new(stages, &bindings, self.precision, Some(&caster.mesh))?))
+    }
 }
 
 #[cold]
@@ -306,6 +356,19 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
         TextureDimension::D2,
         vec![TextureLevel::f64([texels.size[0], texels.size[1], 1], pixels.collect())],
     )
+}
+
+/// Layers, square and one below the other, as an array.
+fn layers(texels: &Texels) -> Result<Texture, Diagnostic> {
+    let [side, rows] = texels.size;
+    let pixels = texels.values.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]);
+    let size = [side, side, rows / side.max(1)];
+    Texture::new(TextureDimension::D2, vec![TextureLevel::f64(size, pixels.collect())])
+}
+
+/// Layers that hold nothing, for looks that are evaluated without a scene.
+pub(super) fn unseen() -> Result<Texture, Diagnostic> {
+    layers(&Texels::new([1, 1], 4))
 }
 
 /// Triangles that cast shadows, with the objects' places in f64.

@@ -6,6 +6,7 @@ use wgpu::util::DeviceExt as _;
 
 use super::Renderer;
 use super::casters::CastersTexture;
+use super::shadow_maps::LightTargets;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::pipeline::{DepthUse, LookPipeline, Sides};
@@ -100,10 +101,11 @@ impl Renderer {
         });
         let images = self.images.of(&self.gpu, &batch.images, &batch.shader.needs.images)?;
         // Samples are of no scene, where nothing casts a shadow.
-        let casters = match batch.shader.needs.casters {
+        let casters = match batch.shader.needs.casters() {
             true => Some(CastersTexture::new(&self.gpu, &Arc::default())?),
             false => None,
         };
+        let unseen = LightTargets::empty(&self.gpu);
         let mut entries = Vec::new();
         for binding in &batch.shader.bindings {
             let resource = match &binding.kind {
@@ -113,6 +115,7 @@ impl Renderer {
                 }
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 BindingKind::Casters => casters.as_ref().map(CastersTexture::resource),
+                BindingKind::Pass(_) => Some(wgpu::BindingResource::TextureView(&unseen)),
                 _ => None,
             };
             let missing = || RenderError::Refused {

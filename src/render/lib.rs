@@ -20,6 +20,7 @@ mod mesh;
 mod passes;
 mod pipeline;
 mod readback;
+mod shadow_maps;
 mod store;
 mod target;
 mod timer;
@@ -49,6 +50,8 @@ pub struct Renderer {
     targets: target::Targets,
     /// Triangles that cast shadows, while looks read them.
     casters: Option<casters::CastersTexture>,
+    /// What lights see of the scene, while looks read it.
+    lights: shadow_maps::LightTargets,
     /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,
     /// Timer of the passes, while they are measured.
@@ -66,6 +69,7 @@ impl Renderer {
             screens: HashMap::new(),
             targets: target::Targets::default(),
             casters: None,
+            lights: shadow_maps::LightTargets::default(),
             done: HashMap::new(),
             timer: None,
         }
@@ -96,6 +100,9 @@ impl Renderer {
             self.done.clear();
         }
         self.prepare_casters(plan)?;
+        if self.prepare_shadow_maps(plan)? {
+            self.done.clear();
+        }
         let mut encoder = self
             .gpu
             .device
@@ -107,6 +114,11 @@ impl Renderer {
                 continue;
             }
             match (pass.id.stage(), deferral) {
+                (None, _) if pass.id.is_of_lights() => {
+                    if !self.draw_lights(plan, pass.id, &mut encoder)? {
+                        continue;
+                    }
+                }
                 (None, _) => self.draw_screen(plan, pass.id, &mut encoder)?,
                 (Some(_), Some(deferral)) if pass.id.writes_picture() => {
                     self.draw_deferred(plan, deferral, &mut encoder)?;
@@ -123,6 +135,7 @@ impl Renderer {
         // After an error the content of the targets is unknown, so no pass counts as done.
         if let Err(error) = guard.finish().await {
             self.done.clear();
+            self.lights.forget();
             if matches!(error, RenderError::OutOfMemory { .. }) {
                 self.gpu.store.clear();
             }

@@ -328,6 +328,9 @@ pub(super) fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        BindingKind::Pass(pass) if pass.is_of_lights() => {
+            texture_of(false, wgpu::TextureViewDimension::D2Array)
+        }
         BindingKind::Pass(_) | BindingKind::Casters => texture(false),
     }
 }

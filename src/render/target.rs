@@ -57,7 +57,9 @@ impl Targets {
             is_new = true;
             self.triangles = Some(view(gpu, plan.size, TRIANGLES, 1));
         }
-        for pass in plan.passes.iter().map(|pass| pass.id).filter(|id| !id.writes_picture()) {
+        // What lights see has sizes of its own.
+        let is_kept = |id: &PassId| !id.writes_picture() && !id.is_of_lights();
+        for pass in plan.passes.iter().map(|pass| pass.id).filter(is_kept) {
             for image in PassImage::written(pass) {
                 let format = format_of(gpu, pass.row().writes[image.output].format);
                 self.images.entry(image).or_insert_with(|| {

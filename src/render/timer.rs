@@ -91,6 +91,7 @@ impl Renderer {
     /// As [`draw`](Self::draw).
     pub async fn measure(&mut self, plan: &FramePlan) -> Result<Vec<PassTime>, RenderError> {
         self.done.clear();
+        self.lights.forget();
         self.timer = Timer::new(&self.gpu);
         let clock = Clock::start();
         let drawn = self.draw(plan).await;

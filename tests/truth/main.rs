@@ -16,6 +16,7 @@ mod nodes;
 mod outlines;
 mod pruned;
 mod raster;
+mod shadow_maps;
 mod shadows;
 mod shape_passes;
 mod single;

@@ -13,7 +13,7 @@ use super::layout::{StructLayout, ValueLayout};
 use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
-use crate::document::{LightValues, OutputPort, Value};
+use crate::document::{LightInput, LightValues, OutputPort, Value};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
 use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Rate, Type};
@@ -182,6 +182,16 @@ impl HostProgram {
         })
     }
 
+    /// The lights whose shadow maps it reads.
+    pub fn mapped_lights(&self) -> impl Iterator<Item = &LightId> {
+        self.steps.iter().filter_map(|step| match step {
+            ProgramStep::Context(context, light) if context.word() == LightInput::SHADOW_MAP => {
+                light.as_ref()
+            }
+            _ => None,
+        })
+    }
+
     /// True if a step reads anything that differs between objects of the same values and lights.
     pub fn reads_object(&self) -> bool {
         self.steps.iter().any(|step| match step {
@@ -308,7 +318,7 @@ impl HostInputs<'_> {
                 light.map_or_else(|| input.value(&LightValues::default()), |l| input.value(l))
             }
             // Of fragment rate, and so never a step of the host.
-            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene => {
+            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene { .. } => {
                 interp::Value::Float(0.0)
             }
         };

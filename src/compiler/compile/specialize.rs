@@ -30,7 +30,7 @@ use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
 use crate::library::{
-    ArgumentSource, Context, Conversion, LightFeed, NodeModule, Output, Rate, StageValue,
+    ArgumentSource, Context, Conversion, LightFeed, NodeModule, Output, PassId, Rate, StageValue,
     Treatment, Type,
 };
 
@@ -175,14 +175,29 @@ pub struct Needs {
     pub contexts: Vec<Context>,
     /// The images that it reads.
     pub images: Vec<ImageUse>,
-    /// True if it reads the triangles of all objects that cast shadows.
-    pub casters: bool,
+    /// The scene's resources that it reads.
+    pub resources: Vec<Context>,
 }
 
 impl Needs {
     /// True if any fragment reads `context`.
     pub fn context(&self, context: Context) -> bool {
-        self.contexts.contains(&context)
+        self.contexts.contains(&context) || self.resources.contains(&context)
+    }
+
+    /// True if it reads the triangles of all objects that cast shadows.
+    pub fn casters(&self) -> bool {
+        self.context(Context::CASTERS)
+    }
+
+    /// True if it reads what lights see of the scene.
+    pub fn shadow_maps(&self) -> bool {
+        self.resources.iter().any(|resource| resource.pass().is_some())
+    }
+
+    /// The passes whose results it reads.
+    pub fn passes(&self) -> impl Iterator<Item = PassId> {
+        self.contexts.iter().chain(&self.resources).filter_map(|context| context.pass())
     }
 }
 
@@ -389,9 +404,13 @@ impl<'a> Builder<'a> {
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
         if self.graph.nodes[index].is_unlit
-            && let Some(number) = context.light_input().and_then(LightInput::unlit)
+            && let Some(numbers) = context.light_input().and_then(LightInput::unlit)
         {
-            return self.constant(index, ty, interp::Value::Float(number));
+            let value = match numbers {
+                [number] => interp::Value::Float(*number),
+                numbers => interp::Value::vec(numbers),
+            };
+            return self.constant(index, ty, value);
         }
         if let (Some(LightInput::Field(field)), Some(id)) = (context.light_input(), &light)
             && self.options.dark.contains(&(id.clone(), field))

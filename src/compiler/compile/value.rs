@@ -80,6 +80,7 @@ pub(super) fn expected(ty: &Type) -> String {
         Type::Hcbtf => "the path of an .hcbtf file".to_owned(),
         Type::Text => "a text".to_owned(),
         Type::Casters => "the scene's own casters".to_owned(),
+        Type::ShadowMaps => "the scene's own shadow maps".to_owned(),
         Type::Angle | Type::Light | Type::Prepared(_) => "a wire".to_owned(),
     }
 }

@@ -306,6 +306,24 @@ impl NodeDef {
         tiers
     }
 
+    /// True if the node's functions of a tier take a value of a type.
+    pub fn takes(&self, ty: &Type, tier: Tier) -> bool {
+        let tiers = self.variants.iter().map(|variant| variant.tier);
+        let own = tiers.filter(|own| *own <= tier).max().unwrap_or_default();
+        let takes = |variant: &NodeFunction| {
+            variant.parameters.iter().any(|source| match source {
+                ArgumentSource::Input(_, taken) => taken == ty,
+                ArgumentSource::Prepared => self
+                    .prepare
+                    .iter()
+                    .flat_map(|prepare| &prepare.parameters)
+                    .any(|(_, taken)| taken == ty),
+                ArgumentSource::Sampler(_) | ArgumentSource::Choice(_) => false,
+            })
+        };
+        self.variants.iter().any(|variant| variant.tier == own && takes(variant))
+    }
+
     /// Cheapest tier whose result differs from the exact one by at most `bound`, by what is stated
     /// of the node and of the functions that it calls. `fast` is for artists to choose: what is
     /// stated of it leaves out edges. A node of a project that states nothing of its cheaper forms

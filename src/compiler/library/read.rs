@@ -740,6 +740,7 @@ fn neutral(ty: &Type) -> Option<Value> {
         | Type::Light
         | Type::Mat3
         | Type::Casters
+        | Type::ShadowMaps
         | Type::Choice
         | Type::Prepared(_) => return None,
     })

@@ -39,6 +39,8 @@ pub enum Type {
     Hcbtf,
     /// `Casters`: the triangles of all objects that cast shadows, which the scene gives.
     Casters,
+    /// `ShadowMaps`: what lights see first, which a pass draws.
+    ShadowMaps,
     /// Choice: one of a few words, known when the look is compiled.
     Choice,
     /// Id of a light of the look.
@@ -78,6 +80,7 @@ impl Type {
             "texture_2d<f32>" => Self::Image,
             "texture_2d_array<f32>" => Self::Hcbtf,
             "Casters" => Self::Casters,
+            "ShadowMaps" => Self::ShadowMaps,
             other => Self::Prepared(other.to_owned()),
         }
     }
@@ -99,9 +102,15 @@ impl Type {
             Self::Image => "texture_2d<f32>",
             Self::Hcbtf => "texture_2d_array<f32>",
             Self::Casters => "Casters",
+            Self::ShadowMaps => "ShadowMaps",
             Self::Choice | Self::LightName | Self::Text => "",
             Self::Prepared(name) => name,
         }
+    }
+
+    /// True for what the scene gives: no wire, value or uniform can hold it.
+    pub fn is_scene_resource(&self) -> bool {
+        matches!(self, Self::Casters | Self::ShadowMaps)
     }
 
     /// Number of components, for types of numbers; `None` for others.
@@ -199,6 +208,7 @@ impl fmt::Display for Type {
             Self::Image => "image",
             Self::Hcbtf => "HCBTF",
             Self::Casters => "casters",
+            Self::ShadowMaps => "shadow maps",
             Self::Choice => "choice",
             Self::LightName => "light's id",
             Self::Text => "text",

@@ -143,6 +143,7 @@ impl Renderer {
             self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
         let look_size =
             draw.look_uniforms.get(&shader.stage).map_or(0, |uniform| uniform.bytes.len());
+        let seen = self.lights.views(&shader.needs);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {
@@ -155,7 +156,8 @@ impl Renderer {
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 BindingKind::Pass(pass) => {
                     let image = PassImage { pass: *pass, output: 0 };
-                    self.targets.image(image).map(wgpu::BindingResource::TextureView)
+                    let seen = seen.iter().find(|(known, _)| known == pass).map(|(_, view)| view);
+                    seen.or(self.targets.image(image)).map(wgpu::BindingResource::TextureView)
                 }
                 BindingKind::Casters => self.casters.as_ref().map(CastersTexture::resource),
                 BindingKind::Samples => None,

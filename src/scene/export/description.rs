@@ -278,6 +278,20 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
             "counts the looks of the object, divided by 64: parts with different looks have \
              different ones, below 1"
         }
+        (Feed::LightLayer, "clip_from_world") => {
+            "matrix from world space to the layer, for the API's own clip space; of a directional \
+             light parallel along it, to the right and up as `map_axes` in the look's module says; \
+             of a lamp a face of a cube about it, +x, -x, +y, -y, +z, -z, with the next axes (of x \
+             y and z, of y z and x, of z x and y) to the right and up"
+        }
+        (Feed::LightLayer, "measure") => {
+            "row whose product with a place and 1 is the height toward a directional light, or a \
+             lamp's depth along the face's axis"
+        }
+        (Feed::LightLayer, "is_lamp") => "1 for a lamp, 0 for a directional light",
+        (Feed::LightLayer, "layer") => "number of the layer",
+        (Feed::LightCaster, "world_from_object") => "model matrix",
+        (Feed::LightCaster, "number") => "counts objects from 1",
         (Feed::Numbers, name) => ViewNumber::named(name).map_or("", |number| number.meaning),
         _ => "",
     };

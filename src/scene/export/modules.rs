@@ -10,7 +10,8 @@ use crate::compile::{
     TypedGraph, TypedNode, compile_typed,
 };
 use crate::diag::Diagnostic;
-use crate::frame::ScreenModule;
+use crate::document::Tier;
+use crate::frame::{LightModule, ScreenModule};
 use crate::library::{PassId, PassOutput, Type};
 use crate::wgsl::ValidModule;
 
@@ -73,6 +74,10 @@ pub enum Feed {
     /// view. Hosts know them by the name of the first such passes.
     #[serde(rename = "curvature")]
     Numbers,
+    /// A layer of what lights see: set once a layer.
+    LightLayer,
+    /// An object that casts shadows: set once an object.
+    LightCaster,
     /// The results of earlier passes that each pass's `inputs` name: the module runs in several
     /// passes.
     Inputs,
@@ -86,7 +91,9 @@ pub struct ExportPass {
     /// Module that the pass runs.
     pub module: &'static str,
     /// Geometry that is drawn. `meshes`: every mesh, depth-tested. `screen`: one triangle over the
-    /// whole target, made from the vertex index.
+    /// whole target, made from the vertex index. `lights`: every mesh that casts shadows, both
+    /// sides, depth-tested, into each layer of a square array, whatever the picture's size: one for
+    /// a directional light, six for a lamp.
     pub draws: &'static str,
     /// Textures that the pass reads from earlier passes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -195,6 +202,27 @@ impl ShaderModule {
         Self { name, purpose, entry_points, bindings, feeds, code }
     }
 
+    /// The module of a pass that draws what lights see; `None` for other passes.
+    fn of_lights(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
+        let Some(LightModule { text, valid, .. }) = LightModule::of(pass)? else {
+            return Ok(None);
+        };
+        let bindings = reflect::bindings(&valid.module);
+        let feeds = bindings.iter().map(|bound| match (bound.kind, bound.binding) {
+            (BindingType::Texture, _) => Feed::Inputs,
+            (_, 0) => Feed::LightLayer,
+            _ => Feed::LightCaster,
+        });
+        Ok(Some(Self {
+            name: pass.row().module(),
+            purpose: pass.row().help,
+            entry_points: reflect::entry_points(&valid.module),
+            feeds: feeds.collect(),
+            bindings,
+            code: Code::Fixed(text, Box::new(valid)),
+        }))
+    }
+
     /// The module of a pass over the whole picture; `None` where the pass draws meshes.
     fn of_screen(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
         let Some(ScreenModule { text, valid, .. }) = ScreenModule::of(pass)? else {
@@ -283,7 +311,9 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     let wanted = wanted(&draw);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
     for &pass in &wanted {
-        if let Some(stage) = pass.stage() {
+        if let Some(module) = ShaderModule::of_lights(pass)? {
+            found.add_lights(pass, module);
+        } else if let Some(stage) = pass.stage() {
             found.add_meshes(pass, compile(stage)?, stem);
         }
     }
@@ -294,11 +324,21 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
 
 /// Refuses a look whose nodes send rays past the triangles of a scene, which an export has not.
 fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<Diagnostic>> {
-    if !draw.needs.casters {
+    if !draw.needs.casters() {
         return Ok(());
     }
-    let asks = |node: &&TypedNode| node.def.inputs.iter().any(|input| input.ty == Type::Casters);
+    let sends_rays = |node: &TypedNode, tier| node.def.takes(&Type::Casters, tier);
+    let asks = |node: &&TypedNode| sends_rays(node, node.tier);
     let problems = typed.nodes.iter().filter(asks).map(|node| {
+        let mut cheaper = [("balanced", Tier::Balanced), ("fast", Tier::Fast)].into_iter();
+        let hint = match cheaper.find(|(_, tier)| !sends_rays(node, *tier)) {
+            Some((word, _)) => format!(
+                "choose its {word} tier (\"tier\": \"{word}\", or `--tier {word}`), which an \
+                 export carries"
+            ),
+            None => "mute it for the export, and let the program that draws cast the shadow"
+                .to_owned(),
+        };
         let message = format!(
             "the node `{}` ({}) sends rays past the meshes of a scene, which an export does not \
              carry",
@@ -306,14 +346,14 @@ fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<D
         );
         Diagnostic::error("export-casters", message)
             .node(node.path.clone())
-            .hint("mute it for the export, and let the program that draws cast the shadow")
+            .hint(hint)
     });
     Err(problems.collect())
 }
 
 /// The passes before the look that it reads, and the passes that those read in turn.
 fn wanted(draw: &CompiledShader) -> Vec<PassId> {
-    let read: Vec<PassId> = draw.needs.contexts.iter().filter_map(|c| c.pass()).collect();
+    let read: Vec<PassId> = draw.needs.passes().collect();
     let mut wanted: Vec<PassId> = Vec::new();
     // Passes are visited from the last to the first, so that the readers of a pass are known before
     // it.
@@ -335,6 +375,17 @@ impl Modules {
             Some(PassInput { binding: bound.name.clone(), pass, output })
         });
         self.passes.push(ExportPass::of(pass, "meshes", inputs.collect()));
+        self.modules.push(module);
+    }
+
+    /// Adds a pass that draws what lights see.
+    fn add_lights(&mut self, pass: PassId, module: ShaderModule) {
+        let read = pass.row().reads.iter().map(|input| PassInput {
+            binding: input.binding.to_owned(),
+            pass: input.pass,
+            output: input.output,
+        });
+        self.passes.push(ExportPass::of(pass, "lights", read.collect()));
         self.modules.push(module);
     }
 

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
 use super::screen::ScreenModule;
+use super::shadow_maps::LightModule;
 use crate::compile::{CompileOptions, CompiledShader, TierReason, VertexAttribute, check, compile};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
@@ -75,8 +76,9 @@ pub(super) fn of_passes(passes: impl Iterator<Item = PassId>, options: &PlanOpti
 /// where objects differ.
 pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
     let Some(stage) = pass.stage() else {
-        let module = ScreenModule::of(pass).ok().flatten();
-        return module.map_or(0, |module| module_operations(&module.valid));
+        let of_lights = || Some(LightModule::of(pass).ok().flatten()?.valid);
+        let valid = ScreenModule::of(pass).ok().flatten().map(|module| module.valid);
+        return valid.or_else(of_lights).map_or(0, |valid| module_operations(&valid));
     };
     let modules = draws.iter().filter_map(|draw| draw.module(stage));
     // Many draws share few modules.

@@ -120,6 +120,14 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
         effect.pass = Some(pass.id);
         effect.cost.operations = pass_operations(pass.id, &plan.draws);
         effect.cost.bytes = pass.id.row().bytes_per_pixel(plan.samples).0 * pixels;
+        if let Some(maps) = plan.shadow_maps.as_ref().filter(|_| pass.id.is_of_lights()) {
+            let [layers, triangles] = maps.counts();
+            let texel = u64::from(4 * u32::BITS / 8);
+            effect.cost.bytes = texel * u64::from(maps.side).pow(2) * layers;
+            let layers = figures::count(layers, "layer");
+            let triangles = figures::count(triangles, "triangle");
+            effect.reason += &format!(", in {layers} of {0}x{0} with {triangles}", maps.side);
+        }
         if done.get(&pass.id) == Some(&pass.input_hash) {
             effect.state = EffectState::Cached;
             effect.proof = Some(Proof::Unchanged);
@@ -162,7 +170,7 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
 /// The triangles that cast shadows, where a look reads them.
 fn casters(plan: &FramePlan) -> Option<Effect> {
     let casters = plan.casters.as_ref()?;
-    let reads = |draw: &&Draw| draw.modules().any(|module| module.needs.casters);
+    let reads = |draw: &&Draw| draw.modules().any(|module| module.needs.casters());
     let draw = plan.draws.iter().find(reads)?;
     let triangles = casters.trees().iter().map(|tree| u64::from(tree.triangles));
     let reason = format!(

@@ -28,6 +28,7 @@ mod plan;
 mod samples;
 mod screen;
 mod setup;
+mod shadow_maps;
 mod store;
 mod tiles;
 mod uvs;
@@ -72,6 +73,7 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, LookSource, Setup, SetupLook, SetupObject, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,
 };
+pub use shadow_maps::{LightLayer, LightModule, MapCaster, ShadowMaps};
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;

@@ -29,6 +29,8 @@ pub(super) const RESERVED: &[&str] = &[
     "surface",
     "samples",
     "casters",
+    "shadow_map",
+    "shadow_map_behind",
     "shade",
     "vs_main",
     "fs_main",
@@ -249,8 +251,10 @@ impl Emitter<'_> {
             let samples = "var<storage, read> samples: array<Sample>;".to_owned();
             push(BindingKind::Samples, "samples", samples);
         }
-        if self.needs.casters {
-            push(BindingKind::Casters, "casters", "var casters: Casters;".to_owned());
+        for resource in &self.needs.resources {
+            let (name, ty) = (resource.word(), resource.wgsl_type());
+            let kind = resource.pass().map_or(BindingKind::Casters, BindingKind::Pass);
+            push(kind, name, format!("var {name}: {ty};"));
         }
         for image in 0..self.needs.images.len() {
             if self.image_is_used(image) {

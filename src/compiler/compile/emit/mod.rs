@@ -72,7 +72,7 @@ pub enum BindingKind {
     Hcbtf(ImageBinding),
     /// An image's sampler, by index into [`Needs::images`].
     Sampler(ImageBinding),
-    /// The first result of a pass, one texel a pixel.
+    /// The first result of a pass: one texel a pixel, or a layer for each light.
     Pass(PassId),
     /// The triangles of all objects that cast shadows.
     Casters,
@@ -578,9 +578,10 @@ impl<'a> Emitter<'a> {
                 self.needs.contexts.push(*context);
             }
         }
-        self.needs.casters = self.needs.contexts.contains(&Context::CASTERS);
-        self.needs.contexts.retain(|context| !context.is_resource());
         self.needs.contexts.sort_unstable();
+        let read = std::mem::take(&mut self.needs.contexts).into_iter();
+        let (resources, contexts) = read.partition(|context| context.is_resource());
+        (self.needs.resources, self.needs.contexts) = (resources, contexts);
         let used: Vec<bool> =
             (0..self.needs.images.len()).map(|image| self.image_is_used(image)).collect();
         if used.iter().any(|used| !used) {

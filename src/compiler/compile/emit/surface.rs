@@ -18,7 +18,7 @@ pub(super) fn expression(context: Context, stage: Stage) -> String {
             let map = context.pass().map(|pass| pass.row().map).unwrap_or_default();
             wgsl.replace("texel", &format!("textureLoad({map}, vec2i(in.clip.xy), 0)"))
         }
-        ContextSource::Host { .. } | ContextSource::Light(_) | ContextSource::Scene => {
+        ContextSource::Host { .. } | ContextSource::Light(_) | ContextSource::Scene { .. } => {
             String::new()
         }
     }

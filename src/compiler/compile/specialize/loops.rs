@@ -281,7 +281,8 @@ enum SharedWork {
 
 /// True if a uniform may hold a value of a type.
 fn is_in_uniforms(ty: &Type) -> bool {
-    !ty.is_texture() && !matches!(ty, Type::Casters | Type::Text | Type::Choice | Type::LightName)
+    let is_number = !matches!(ty, Type::Text | Type::Choice | Type::LightName);
+    is_number && !ty.is_texture() && !ty.is_scene_resource()
 }
 
 fn is_same_work(a: &Operation, b: &Operation) -> bool {

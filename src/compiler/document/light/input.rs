@@ -33,7 +33,7 @@ struct ComputedRow {
     input: InputRow,
     value: fn(&LightValues) -> Value,
     /// Value where the light does not reach; `None` where that makes no difference.
-    unlit: Option<f64>,
+    unlit: Option<&'static [f64]>,
 }
 
 /// Table of the inputs that are computed from several fields.
@@ -112,11 +112,27 @@ const COMPUTED: &[ComputedRow] = &[
             is_unit: false,
         },
         value: |light| Value::Float(light.casters),
-        unlit: Some(LightValues::NO_CASTERS),
+        unlit: Some(&[LightValues::NO_CASTERS]),
+    },
+    ComputedRow {
+        input: InputRow {
+            word: LightInput::SHADOW_MAP,
+            wgsl: "vec4f",
+            help: "where this light's shadow map shows what casts its shadows onto the object: the \
+                   map's middle across the light's way, half of its side, and its first layer; of \
+                   a lamp both of the cube's faces at depth 1; a layer of -1 for no shadows",
+            after: LightField::Intensity,
+            is_unit: false,
+        },
+        value: |light| Value::vec(&light.shadow_map),
+        unlit: Some(&LightValues::NO_SHADOW_MAP),
     },
 ];
 
 impl LightInput {
+    /// Word of the place of a light's shadow map.
+    pub const SHADOW_MAP: &str = "light.shadow_map";
+
     /// All inputs.
     pub fn all() -> impl Iterator<Item = Self> {
         let asked = LightField::ALL.into_iter().filter(|field| field.shader_help().is_some());
@@ -155,11 +171,11 @@ impl LightInput {
         }
     }
 
-    /// Value of the input where the light does not reach: no intensity, and no shadows; `None` for
+    /// Numbers of the input where the light does not reach: no intensity, and no shadows; `None` for
     /// an input that is what it is all the same.
-    pub fn unlit(self) -> Option<f64> {
+    pub fn unlit(self) -> Option<&'static [f64]> {
         match self {
-            Self::Field(LightField::Intensity) => Some(0.0),
+            Self::Field(LightField::Intensity) => Some(&[0.0]),
             Self::Field(_) => None,
             Self::Computed(ComputedInput(index)) => COMPUTED[usize::from(index)].unlit,
         }

@@ -39,6 +39,9 @@ pub struct LightValues {
     /// Casters of this light's shadows onto the object that is lit: [`Self::NO_CASTERS`], or a
     /// number that the scene's casters give.
     pub casters: f64,
+    /// Place of what casts these shadows in the scene's shadow maps: middle, half of a side, and
+    /// the first layer, or [`Self::NO_SHADOW_MAP`].
+    pub shadow_map: [f64; 4],
 }
 
 /// Place and turn of an object that is lit.
@@ -95,6 +98,8 @@ impl LightFrames {
 impl LightValues {
     /// [`Self::casters`] where nothing casts shadows.
     pub const NO_CASTERS: f64 = -2.0;
+    /// [`Self::shadow_map`] where nothing casts shadows.
+    pub const NO_SHADOW_MAP: [f64; 4] = [0.0, 0.0, 1.0, -1.0];
 
     /// Resolves `light` in its frame.
     pub fn new(light: &Light, frames: &LightFrames) -> Self {
@@ -111,6 +116,7 @@ impl LightValues {
             kind: light.kind,
             world,
             casters: Self::NO_CASTERS,
+            shadow_map: Self::NO_SHADOW_MAP,
         };
         if let Some(place) = light.aimed_at.as_ref().and_then(|id| frames.aims.get(id)) {
             values.aim_at(*place);

@@ -61,6 +61,8 @@ impl Context {
 
     /// Triangles of all objects that cast shadows.
     pub const CASTERS: Self = Self::named("casters");
+    /// The context `shadow_map`.
+    pub const SHADOW_MAP: Self = Self::named("shadow_map");
 
     /// Context with a word, looked up when Chiaro is compiled.
     ///
@@ -122,7 +124,9 @@ impl Context {
     /// Pass whose result the context is.
     pub fn pass(self) -> Option<PassId> {
         match self.row().source {
-            ContextSource::Pass { pass, .. } => PassId::from_slug(pass),
+            ContextSource::Pass { pass, .. } | ContextSource::Scene { pass: Some(pass) } => {
+                PassId::from_slug(pass)
+            }
             _ => None,
         }
     }
@@ -134,7 +138,7 @@ impl Context {
 
     /// True for a resource of the whole scene, which is bound as a variable of its own.
     pub fn is_resource(self) -> bool {
-        matches!(self.row().source, ContextSource::Scene)
+        matches!(self.row().source, ContextSource::Scene { .. })
     }
 
     /// WGSL type of the context.
@@ -146,9 +150,9 @@ impl Context {
     /// each object.
     pub fn rate(self) -> Rate {
         match self.row().source {
-            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene => {
-                Rate::Fragment
-            }
+            ContextSource::Fragment { .. }
+            | ContextSource::Pass { .. }
+            | ContextSource::Scene { .. } => Rate::Fragment,
             ContextSource::Host { rate, .. } => rate,
             ContextSource::Light(_) => Rate::Object,
         }

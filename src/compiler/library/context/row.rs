@@ -66,7 +66,10 @@ pub enum ContextSource {
     Light(LightInput),
     /// Resource that the executor binds for the whole scene: it is passed to functions and is no
     /// number. Its variable has the context's word for its name.
-    Scene,
+    Scene {
+        /// Slug of the pass that draws it, if one does.
+        pass: Option<&'static str>,
+    },
 }
 
 /// The host's knowledge of the frame and the object before any fragment runs.
@@ -217,7 +220,16 @@ impl ContextRow {
 
     /// Row of a resource of the whole scene.
     pub(super) const fn scene(word: &'static str, ty: &'static str, help: &'static str) -> Self {
-        Self::new(word, ty, ContextSource::Scene, help)
+        Self::new(word, ty, ContextSource::Scene { pass: None }, help)
+    }
+
+    /// Row of a resource of the whole scene that the pass with the same name draws.
+    pub(super) const fn scene_pass(
+        word: &'static str,
+        ty: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self::new(word, ty, ContextSource::Scene { pass: Some(word) }, help)
     }
 
     /// Row of an input from a light, built from the light input's own description.

@@ -68,13 +68,18 @@ impl PassId {
     pub fn stage(self) -> Option<Stage> {
         match self.row().work {
             PassWork::Meshes(stage) => Some(stage),
-            PassWork::Screen { .. } => None,
+            PassWork::Screen { .. } | PassWork::Lights { .. } => None,
         }
     }
 
     /// True if the pass draws over the whole picture, with its one module of `shaders/passes`.
     pub fn is_screen(self) -> bool {
-        self.stage().is_none()
+        matches!(self.row().work, PassWork::Screen { .. })
+    }
+
+    /// True if the pass draws what lights see, a layer for each light.
+    pub fn is_of_lights(self) -> bool {
+        matches!(self.row().work, PassWork::Lights { .. })
     }
 
     /// True if the pass draws into the picture.
@@ -91,7 +96,7 @@ impl PassId {
     /// meshes.
     pub fn surface(self) -> Option<Self> {
         let mut read = self.row().reads.iter().filter_map(|input| Self::from_slug(input.pass));
-        read.find(|pass| !pass.is_screen())
+        read.find(|pass| pass.stage().is_some())
     }
 
     /// Distance between a pixel and the farthest pixel of meshes that it depends on, in steps of
@@ -104,7 +109,7 @@ impl PassId {
     /// Distance around a pixel that the pass itself reads in its inputs, in the same steps.
     pub fn own_reach(self) -> u32 {
         match self.row().work {
-            PassWork::Meshes(_) => 0,
+            PassWork::Meshes(_) | PassWork::Lights { .. } => 0,
             PassWork::Screen { reach, .. } => reach,
         }
     }
@@ -144,6 +149,7 @@ mod tests {
             let is_read = PassId::all().any(|other| other.reads(pass));
             assert!(is_served || is_read || pass == PassId::LOOK, "nobody reads {pass:?}");
             assert_eq!(pass.surface().is_some(), pass.is_screen(), "{pass:?}");
+            assert!(!pass.is_of_lights() || pass.own_reach() == 0, "{pass:?}");
             assert!(!is_served || !row.map.is_empty(), "{pass:?}: a look reads it by what name?");
         }
         assert!(TABLE.len() < usize::from(u8::MAX));

@@ -143,6 +143,12 @@ pub enum PassWork {
         /// Distance around a pixel that is read, in steps of 1/800 of the picture's height.
         reach: u32,
     },
+    /// Depth-tested drawing of every mesh that casts shadows, as each light sees them, with one
+    /// module for all: a layer for each light that looks ask about.
+    Lights {
+        /// Name of the file in `shaders/passes`, without its ending.
+        shader: &'static str,
+    },
 }
 
 /// Texture that a pass reads.
@@ -239,6 +245,8 @@ impl PassRow {
                     (drawn, drawn)
                 }
             }
+            // By the layer, whose size has nothing to do with the picture's.
+            PassWork::Lights { .. } => (0, 0),
             // The look reads the written texture again.
             PassWork::Screen { .. } => (written, self.bytes_read() + 2 * written),
         }

@@ -18,6 +18,9 @@ const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat
 /// Edges of four kinds, packed by `edge_code` (`shaders/lib/edge_code.wgsl`).
 const EDGES: &[PassOutput] = &[PassOutput { name: "edges", format: TexelFormat::Numbers }];
 const NEARNESS: &[PassOutput] = &[PassOutput { name: "nearness", format: TexelFormat::Numbers }];
+/// Nearness to the light, number of the object, and how the nearness changes to the next texels
+/// (`light_texel` in `shaders/lib/light_view.wgsl`).
+const SEEN: &[PassOutput] = &[PassOutput { name: "seen", format: TexelFormat::Numbers }];
 const COLOR: &[PassOutput] = &[PassOutput { name: "color", format: TexelFormat::Picture }];
 
 /// Inputs of a pass: the surface that a pass drew, and for a level of smoothed normals the image of
@@ -125,6 +128,28 @@ const fn lines(
 
 /// Rows of the table.
 pub(super) const TABLE: &[PassRow] = &[
+    PassRow {
+        slug: "shadow_map",
+        label: "shadow maps",
+        work: PassWork::Lights { shader: "shadow_map" },
+        reads: &[],
+        writes: SEEN,
+        map: "shadow_map",
+        purpose: "shadows from maps",
+        result: "what lies behind is",
+        help: "Draws what each light sees first.",
+    },
+    PassRow {
+        slug: "shadow_map_behind",
+        label: "shadow maps behind",
+        work: PassWork::Lights { shader: "shadow_map_behind" },
+        reads: &[PassInput { binding: "first", pass: "shadow_map", output: "seen" }],
+        writes: SEEN,
+        map: "shadow_map_behind",
+        purpose: "shadows behind the first object",
+        result: "",
+        help: "Draws what each light sees behind the first object.",
+    },
     PassRow {
         slug: "normals",
         label: "normals",

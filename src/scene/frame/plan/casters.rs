@@ -1,5 +1,6 @@
 //! Shadows of a picture: which objects cast those of which lights onto which objects.
 
+use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
@@ -10,42 +11,95 @@ use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use super::variants::Variants;
 use crate::diag::Diagnostic;
+use crate::compile::{CompiledShader, LightValues, Needs};
 use crate::document::Light;
 use crate::frame::casters::Casters;
 use crate::frame::links::unlit;
 use crate::frame::setup::{Setup, SetupObject};
+use crate::frame::shadow_maps::{MapPlaces, MapScene, ShadowMaps};
+use crate::frame::visibility::ObjectPlacement;
 use crate::ids::{LightId, ObjectId};
 
 /// Casters of a picture, with the numbers by which lights know theirs.
-pub(super) struct PlannedCasters {
-    pub(super) texture: Arc<Casters>,
+pub(super) struct PlannedCasters<'a> {
+    /// Triangles that rays meet; `None` where none are sent.
+    pub(super) texture: Option<Arc<Casters>>,
+    objects: &'a [SetupObject],
+    placed: &'a [ObjectPlacement],
+    /// Sets of objects that cast some light's shadows.
+    sets: IndexSet<Vec<usize>>,
+    /// Maps of lights, as they are asked for.
+    maps: RefCell<MapPlaces>,
     /// By the number of the object that is lit.
     receivers: HashMap<usize, LitBy>,
 }
+
+/// Casters of a light's shadows onto an object.
+#[derive(Clone, Copy)]
+struct LightCasters {
+    /// [`LightValues::casters`].
+    number: f64,
+    /// Index of the set of objects.
+    set: usize,
+}
+
+/// Casters of the shadows that reach an object, by their lights.
+type CastersByLight = HashMap<LightId, LightCasters>;
 
 /// Shadows that reach an object, by their lights.
 #[derive(Default)]
 struct LitBy {
     /// The casters of each light that may be about it.
-    numbers: HashMap<LightId, f64>,
+    lights: CastersByLight,
     /// A hash of them.
     key: u64,
 }
 
 impl LitBy {
-    fn new(numbers: HashMap<LightId, f64>) -> Self {
+    fn new(lights: CastersByLight) -> Self {
         let mut hasher = DefaultHasher::new();
-        let mut sorted: Vec<_> = numbers.iter().map(|(id, x)| (id, x.to_bits())).collect();
+        let mut sorted: Vec<_> =
+            lights.iter().map(|(id, light)| (id, light.number.to_bits(), light.set)).collect();
         sorted.sort_unstable();
         sorted.hash(&mut hasher);
-        Self { key: hasher.finish(), numbers }
+        Self { key: hasher.finish(), lights }
     }
 }
 
-impl PlannedCasters {
-    /// The casters of each light that may be about an object.
-    pub(super) fn of(&self, object: usize) -> Option<&HashMap<LightId, f64>> {
-        self.receivers.get(&object).map(|lit_by| &lit_by.numbers)
+impl PlannedCasters<'_> {
+    /// Tells the lights about an object what casts their shadows onto it: for rays, and for maps
+    /// where the module reads a light's map.
+    pub(super) fn tell(
+        &self,
+        object: usize,
+        shader: &CompiledShader,
+        lights: &mut IndexMap<LightId, LightValues>,
+    ) {
+        let Some(lit_by) = self.receivers.get(&object) else { return };
+        for (id, casters) in &lit_by.lights {
+            if let Some(light) = lights.get_mut(id) {
+                light.casters = casters.number;
+            }
+        }
+        if !shader.needs.shadow_maps() {
+            return;
+        }
+        let scene =
+            MapScene { objects: self.objects, placed: self.placed, sets: &self.sets };
+        for id in shader.host.mapped_lights() {
+            if let (Some(casters), Some(light)) = (lit_by.lights.get(id), lights.get_mut(id)) {
+                let place = self.maps.borrow_mut().place(&scene, light, casters.set);
+                light.shadow_map = place;
+            }
+        }
+    }
+
+    /// The maps that lights asked for; none where no light did.
+    ///
+    /// # Errors
+    /// `too-many-shadow-maps` for more layers than a GPU takes.
+    pub(super) fn maps(&self, height: u32) -> Result<ShadowMaps, Diagnostic> {
+        self.maps.take().maps(self.objects, height)
     }
 
     /// A hash that is the same for objects which every light's shadows reach alike.
@@ -97,18 +151,21 @@ impl Shadows {
 }
 
 impl Planner {
-    /// The casters that looks of visible objects read; `None` where none do.
-    pub(super) fn casters(
+    /// The casters that looks of visible objects ask about, by rays or maps; `None` where none do.
+    pub(super) fn casters<'a>(
         &self,
-        scene: &PlacedScene<'_>,
+        scene: &'a PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
         variants: &Variants,
-    ) -> Result<Option<PlannedCasters>, Vec<Diagnostic>> {
-        let reads = |number: usize, look: usize| {
+    ) -> Result<Option<PlannedCasters<'a>>, Vec<Diagnostic>> {
+        let asks = |number: usize, look: usize, asks: fn(&Needs) -> bool| {
             let shaders = variants.get(&(number, look)).and_then(|v| self.shaders.get(&v.key));
             shaders.is_some_and(|shaders| {
-                shaders.draw.needs.casters || shaders.before.values().any(|s| s.needs.casters)
+                asks(&shaders.draw.needs) || shaders.before.values().any(|s| asks(&s.needs))
             })
+        };
+        let reads = |number: usize, look: usize| {
+            asks(number, look, |needs| needs.casters() || needs.shadow_maps())
         };
         let readers: HashSet<usize> = visible
             .iter()
@@ -147,15 +204,31 @@ impl Planner {
                 found.push((receiver, light, set, onto_itself));
             }
         }
-        let texture =
-            Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?;
-        let mut numbers: HashMap<usize, HashMap<LightId, f64>> = HashMap::new();
+        let sends_rays = visible
+            .iter()
+            .any(|v| v.object.worn_looks().any(|look| asks(v.number, look, Needs::casters)));
+        let texture = match sends_rays {
+            true => Some(
+                Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?,
+            ),
+            false => None,
+        };
+        let mut lights: HashMap<usize, CastersByLight> = HashMap::new();
         for (receiver, light, set, onto_itself) in found {
-            let number = texture.number(&sets[set], onto_itself);
-            numbers.entry(receiver).or_default().insert(light.clone(), number);
+            let number = texture.as_ref().map_or(LightValues::NO_CASTERS, |texture| {
+                texture.number(&sets[set], onto_itself)
+            });
+            let casters = LightCasters { number, set };
+            lights.entry(receiver).or_default().insert(light.clone(), casters);
         }
-        let lit_by = |(receiver, numbers)| (receiver, LitBy::new(numbers));
-        let receivers = numbers.into_iter().map(lit_by).collect();
-        Ok(Some(PlannedCasters { texture: Arc::new(texture), receivers }))
+        let lit_by = |(receiver, lights)| (receiver, LitBy::new(lights));
+        Ok(Some(PlannedCasters {
+            texture: texture.map(Arc::new),
+            objects,
+            placed: &scene.placed,
+            maps: RefCell::default(),
+            sets,
+            receivers: lights.into_iter().map(lit_by).collect(),
+        }))
     }
 }

@@ -63,7 +63,7 @@ struct PartDraw<'a> {
     /// Distances of other objects, in scene units.
     near: &'a IndexMap<ObjectId, f64>,
     /// Casters of shadows, where a look reads them.
-    casters: Option<&'a PlannedCasters>,
+    casters: Option<&'a PlannedCasters<'a>>,
     /// Values that keys of the scene give to lights; none until a look's are computed.
     scene_values: &'a HashMap<Target, Value>,
 }
@@ -83,7 +83,7 @@ impl Planner {
     pub(super) fn draws(
         &mut self,
         scene: &PlacedScene<'_>,
-        (visible, casters): (&[VisibleObject<'_>], Option<&PlannedCasters>),
+        (visible, casters): (&[VisibleObject<'_>], Option<&PlannedCasters<'_>>),
         variants: &Variants,
         stages: &[Stage],
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
@@ -198,11 +198,10 @@ impl<'a> WornLook<'a> {
         &mut self,
         inputs: &RigInputs<'_>,
         (link, unlinked): (&LightLink, &dyn Fn() -> Vec<LightId>),
-        casters: Option<(&PlannedCasters, usize)>,
+        casters: Option<(&PlannedCasters<'_>, usize)>,
     ) -> Result<Arc<DrawValues>, Diagnostic> {
-        let numbers = casters.and_then(|(casters, object)| casters.of(object));
         if self.follows_objects {
-            return self.computed(inputs, &unlinked(), numbers).map(Arc::new);
+            return self.computed(inputs, &unlinked(), casters).map(Arc::new);
         }
         let link = (!link.is_all()).then(|| link.clone());
         let shadows = casters.map(|(casters, object)| casters.key(object));
@@ -210,7 +209,7 @@ impl<'a> WornLook<'a> {
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
-        let values = Arc::new(self.computed(inputs, &unlinked(), numbers)?);
+        let values = Arc::new(self.computed(inputs, &unlinked(), casters)?);
         self.known.insert(key, values.clone());
         Ok(values)
     }
@@ -220,7 +219,7 @@ impl<'a> WornLook<'a> {
         &self,
         inputs: &RigInputs<'_>,
         unlinked: &[LightId],
-        casters: Option<&HashMap<LightId, f64>>,
+        casters: Option<(&PlannedCasters<'_>, usize)>,
     ) -> Result<DrawValues, Diagnostic> {
         let shaders = self.shaders;
         let inputs = RigInputs { lights: &self.lights, ..*inputs };
@@ -239,10 +238,8 @@ impl<'a> WornLook<'a> {
             for id in unlinked {
                 values.lights.get_mut(id).map(LightValues::darken);
             }
-            for (id, number) in casters.into_iter().flatten() {
-                if let Some(light) = values.lights.get_mut(id) {
-                    light.casters = *number;
-                }
+            if let Some((casters, object)) = casters {
+                casters.tell(object, shader, &mut values.lights);
             }
             for (id, (now, then)) in params.into_iter().zip(shader.params.iter()).enumerate() {
                 if let (true, Some(value)) = (now.value != then.value, now.value) {

@@ -34,6 +34,7 @@ use super::cost::EffectCost;
 use super::coverage::PixelArea;
 use super::deferred::Deferral;
 use super::effects::EffectKind;
+use super::shadow_maps::ShadowMaps;
 use crate::compile::{CompiledShader, Proof, Uniform};
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
@@ -158,6 +159,8 @@ pub struct FramePlan {
     pub covered: PixelArea,
     /// Triangles that cast shadows; `None` where no look reads them.
     pub casters: Option<Arc<Casters>>,
+    /// The scene as lights see it; `None` where no look reads it.
+    pub shadow_maps: Option<Arc<ShadowMaps>>,
     /// Draws, back to front where their order can be seen, else one look after another.
     pub draws: Vec<Draw>,
     /// Passes, in the order in which they run.
@@ -188,6 +191,7 @@ impl FramePlan {
             view,
             covered: PixelArea::whole(size),
             casters: None,
+            shadow_maps: None,
             draws: Vec::new(),
             passes: passes.into_iter().rev().map(planned).collect(),
             deferral: Err(String::new()),

@@ -13,6 +13,7 @@ use crate::frame::camera::View;
 use crate::frame::casters::Casters;
 use crate::frame::cost::{self, EffectCost};
 use crate::frame::effects::EffectKind;
+use crate::frame::shadow_maps::ShadowMaps;
 use crate::ids::ObjectId;
 use crate::library::{Context, PassId, Stage};
 
@@ -59,6 +60,13 @@ impl<'a> ContextReaders<'a> {
     }
 }
 
+/// Everything beside draws that passes over meshes read.
+pub(super) struct SceneSeen<'a> {
+    pub(super) view: &'a View,
+    pub(super) casters: Option<&'a Casters>,
+    pub(super) shadow_maps: Option<&'a ShadowMaps>,
+}
+
 impl WantedPasses {
     /// The passes that `readers` read, and those that they are made from. Looks of different tiers
     /// may want curvature in different ways, side by side.
@@ -71,7 +79,7 @@ impl WantedPasses {
             let own = served.find_map(|context| readers.reason(context, pass.row().purpose));
             let of_reader = || {
                 let (reader, reason) = wanted.iter().find(|(reader, _)| reader.reads(pass))?;
-                Some(if pass.is_screen() {
+                Some(if pass.stage().is_none() {
                     reason.clone()
                 } else {
                     format!("{} computed from them: {reason}", reader.row().result)
@@ -96,7 +104,8 @@ impl WantedPasses {
     /// Lists the passes over meshes that are not wanted, with everything that would be made from
     /// them.
     pub(super) fn push_unwanted(&self, dropped: &mut Vec<DroppedEffect>, options: &PlanOptions) {
-        let unwanted = PassId::all().filter(|pass| !pass.is_screen() && !self.0.contains_key(pass));
+        let is_first = |pass: &PassId| !pass.is_screen() && pass.row().reads.is_empty();
+        let unwanted = PassId::all().filter(|pass| is_first(pass) && !self.0.contains_key(pass));
         dropped.extend(unwanted.map(|pass| DroppedEffect {
             what: pass.row().purpose.to_owned(),
             why: "no live node of a visible object reads it".to_owned(),
@@ -111,19 +120,21 @@ impl WantedPasses {
     pub(super) fn planned(
         self,
         draws: &[Draw],
-        view: &View,
-        casters: Option<&Casters>,
+        seen: &SceneSeen<'_>,
         options: &PlanOptions,
     ) -> Vec<Pass> {
         let mut passes: Vec<Pass> = Vec::with_capacity(self.0.len());
         for (id, reason) in self.0 {
             let mut hasher = DefaultHasher::new();
             if let Some(stage) = id.stage() {
-                hash_of(draws, view, options, stage).hash(&mut hasher);
+                hash_of(draws, seen.view, options, stage).hash(&mut hasher);
                 let modules = draws.iter().filter_map(|draw| draw.module(stage));
-                if let Some(casters) = casters.filter(|_| reads_casters(modules)) {
+                if let Some(casters) = seen.casters.filter(|_| reads_casters(modules)) {
                     casters.hash().hash(&mut hasher);
                 }
+            }
+            if let Some(maps) = seen.shadow_maps.filter(|_| id.is_of_lights()) {
+                maps.hash().hash(&mut hasher);
             }
             // The picture reads the results of all passes before it, whichever they are.
             let is_read = |before: &&Pass| id.writes_picture() || id.reads(before.id);
@@ -143,7 +154,7 @@ fn unwanted_cost(pass: PassId, options: &PlanOptions) -> EffectCost {
 
 /// True if any of the modules reads the triangles that cast shadows.
 fn reads_casters<'a>(mut modules: impl Iterator<Item = &'a Arc<CompiledShader>>) -> bool {
-    modules.any(|shader| shader.needs.casters)
+    modules.any(|shader| shader.needs.casters())
 }
 
 /// The hash of everything that decides on what a pass over meshes draws.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::deferral::{self, DeferredLooks};
 use super::key::look_key;
 use super::omissions::push_equal_looks;
-use super::passes::{ContextReaders, WantedPasses};
+use super::passes::{ContextReaders, SceneSeen, WantedPasses};
 use super::style::PlanStyle;
 use super::variants::LookShaders;
 use super::{FramePlan, PlanOptions};
@@ -108,8 +108,15 @@ impl Planner {
         let casters = self.casters(&scene, &visible, &variants)?;
         let draws = self.draws(&scene, (&visible, casters.as_ref()), &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
-        let casters = casters.map(|casters| casters.texture);
-        let mut passes = wanted.planned(&draws, &scene.view, casters.as_deref(), options);
+        let shadow_maps = casters.as_ref().map(|casters| casters.maps(options.size[1]));
+        let shadow_maps = shadow_maps.transpose().map_err(|problem| vec![problem])?;
+        let casters = casters.and_then(|casters| casters.texture);
+        let seen = SceneSeen {
+            view: &scene.view,
+            casters: casters.as_deref(),
+            shadow_maps: shadow_maps.as_ref(),
+        };
+        let mut passes = wanted.planned(&draws, &seen, options);
         let deferral = self.deferred.deferral(&scene, &visible, &passes, &draws);
         deferral::tell(&mut passes, &deferral);
         let plan = FramePlan {
@@ -119,6 +126,7 @@ impl Planner {
             view: scene.view,
             covered: scene.covered(&visible),
             casters,
+            shadow_maps: shadow_maps.filter(|maps| !maps.casters.is_empty()).map(Arc::new),
             draws,
             passes,
             deferral,
