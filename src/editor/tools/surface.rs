@@ -3,12 +3,10 @@
 
 use std::sync::{Arc, LazyLock};
 
-use glam::DQuat;
-
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{LightFrames, Look, ObjectFrame};
-use crate::frame::PlanOptions;
+use crate::document::{LightFrames, Look};
+use crate::frame::{PlanOptions, SetupObject};
 use crate::progress::Progress;
 use crate::reference::{ProbedSurface, probe_surface, surface_look, surface_setup};
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot};
@@ -34,20 +32,15 @@ pub(super) fn read_surface(
 ) -> Result<Option<ReadSurface>, Vec<Diagnostic>> {
     let planner = planner.of(&LOOKS[usize::from(with_kappa)], &snapshot.library);
     let setup = snapshot.setup(&mut planner.assets)?.value;
-    let setup = surface_setup(&setup, with_kappa);
+    let bare = surface_setup(&setup, with_kappa);
     let options = PlanOptions { size, samples: 1, time: snapshot.time };
-    let plan = planner.plan(&setup, &snapshot.library, &Live::All, &options)?.value;
+    let plan = planner.plan(&bare, &snapshot.library, &Live::All, &options)?.value;
     let seen = probe_surface(&plan, pixel, progress).map_err(|problem| vec![problem])?;
     let Some(seen) = seen else { return Ok(None) };
     let own = plan.draws.get(seen.draw).map(|draw| &draw.object);
     let object = setup.objects.iter().find(|object| Some(&object.id) == own);
-    let frames = LightFrames {
-        illumination: DQuat::from_array(setup.scene.illumination).normalize(),
-        camera_from_world: plan.view.rotation(),
-        object: object.map_or_else(ObjectFrame::default, |object| {
-            ObjectFrame::new(object.center(), object.world_from_object)
-        }),
-        aims: setup.aims(),
-    };
+    let own = object.map(SetupObject::frame).unwrap_or_default();
+    // The lights, and what they are aimed at, are those of the setup with its own looks.
+    let frames = setup.light_frames(&plan.view, own, &setup.aims());
     Ok(Some(ReadSurface { seen, frames }))
 }

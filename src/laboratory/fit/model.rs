@@ -144,7 +144,7 @@ impl Model {
         };
         let places: Vec<usize> = (0..gathered.seen.len()).filter(wears).collect();
         let pixels = places.iter().map(|&index| gathered.seen[index].pixel).collect();
-        let illumination = DQuat::from_array(setup.scene.illumination).normalize();
+        let illumination = setup.illumination();
         let scene_rig = SceneRig::of(&setup.scene, None);
         let aims = setup.aims();
         let scene_lights = setup.scene.lights;

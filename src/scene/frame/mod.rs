@@ -22,6 +22,7 @@ mod layers;
 mod links;
 mod mix;
 mod nearest;
+mod object_lights;
 mod picture;
 mod place;
 mod plan;

@@ -9,16 +9,14 @@ use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Weak};
 
-use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 use indexmap::IndexMap;
 
 use super::camera::View;
 use super::coverage::clip_corners;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{
-    AimPlaces, Light, LightField, LightFrames, LightKind, Look, ObjectFrame, Target,
-};
+use crate::document::{AimPlaces, Light, LightField, LightKind, Look, ObjectFrame, Target};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
@@ -131,12 +129,8 @@ pub(super) fn dark_lights(
     let mut moved = moved_lights(look);
     let keyed = setup.scene.keyed_lights();
     moved.extend(keyed.iter().flat_map(moved_lights));
-    let frames = LightFrames {
-        illumination: DQuat::from_array(setup.scene.illumination).normalize(),
-        camera_from_world: view.rotation(),
-        object: ObjectFrame::new(placed.center, object.world_from_object),
-        aims: aims.clone(),
-    };
+    let frame = ObjectFrame::new(placed.center, object.world_from_object);
+    let frames = setup.light_frames(view, frame, aims);
     let mut dark = Vec::new();
     for (id, own) in &look.lights {
         if let Some(reason) = unlit.get(id) {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DQuat;
 
+use super::super::surface::read_surface;
 use super::work::{PlacingAnswer, PlacingRequest, PlacingTask, SurfaceAnswer, WantedMark, place};
 use crate::compile::Live;
 use crate::document::{Light, Look};
@@ -157,4 +158,17 @@ fn beside_the_object_nothing_is_placed() {
     };
     let told = ask(&mut planner, &beside, [60, 45], task(light, far)).err();
     assert!(told.unwrap().starts_with("Curvature moves that place"));
+}
+
+/// A light that is aimed at an object is placed by the place of that object.
+#[test]
+fn the_surface_comes_with_the_places_that_lights_are_aimed_at() {
+    let mut aimed = look("directional", "world", "diffuse");
+    aimed.lights["key"].aimed_at = Some("object".into());
+    let snapshot = snapshot(aimed, "shape:sphere");
+    let mut planner = CachedPlanner::new(Planner::for_truth);
+    let place = ([60, 45], SIZE);
+    let read = read_surface(&mut planner, &snapshot, place, false, &Progress::new()).unwrap();
+    let frames = read.expect("a surface").frames;
+    assert!(frames.aims["object"].length() < 1e-6, "the middle of the sphere: {frames:?}");
 }

@@ -28,6 +28,7 @@ use crate::ids::{LightId, ObjectId};
 
 pub use blend::is_direction;
 pub use driver::{Wires, driver_value};
+pub(super) use light::set_lights;
 pub use light::{light_field, set_light_field};
 pub use params::ParamTable;
 pub use rig::Rig;

@@ -21,7 +21,7 @@ use crate::document::{
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 
 /// A look's keys with their weights solved, ready for any number of objects and times.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Rig {
     lights: IndexMap<LightId, Light>,
     exposed: Vec<(PortName, Target)>,

@@ -9,7 +9,7 @@ use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use glam::{DMat4, DQuat, DVec3};
+use glam::{DMat4, DVec3};
 use indexmap::IndexMap;
 
 use super::Draw;
@@ -21,12 +21,13 @@ use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, ImageShape, Param, Uniform};
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightLink, LightValues, Look, ObjectFrame, Target, Value};
+use crate::document::{Light, LightLink, LightValues, Look, Target, Value};
 use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
 use crate::frame::keys::{RigInputs, SceneRig, Wires};
 use crate::frame::links::unlinked_lights;
 use crate::frame::mix::LightMix;
+use crate::frame::object_lights::{Surroundings, near_objects};
 use crate::geometry::MeshPart;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
@@ -110,7 +111,8 @@ impl Planner {
                 let Some(look) = look else { continue };
                 let center_of = |id: &ObjectId| centers.get(id).copied();
                 let center = scene.placed[number].center;
-                let near = near_objects(look, (&object.id, center), &center_of);
+                let (rig, of_scene) = (&look.shaders.rig, look.scene_rig);
+                let near = near_objects(rig, of_scene, (&object.id, center), &center_of);
                 let visible = VisibleObject { number, object };
                 let part = PartDraw {
                     scene,
@@ -132,18 +134,6 @@ impl Planner {
         draws.sort_by(|(a, _), (b, _)| b.distance.total_cmp(&a.distance));
         Ok(in_lists(draws))
     }
-}
-
-/// Distances of those other objects that drive keys of a look, in scene units.
-fn near_objects(
-    look: &WornLook<'_>,
-    (own, center): (&ObjectId, DVec3),
-    center_of: &dyn Fn(&ObjectId) -> Option<DVec3>,
-) -> IndexMap<ObjectId, f64> {
-    // What drives the scene's lights may be the object itself: nothing is nearer to it.
-    let of_scene = look.scene_rig.into_iter().flat_map(|rig| rig.rig().near_objects());
-    let others = look.shaders.rig.near_objects().filter(|id| *id != own).chain(of_scene);
-    others.filter_map(|id| Some((id.clone(), center_of(id)?.distance(center)))).collect()
 }
 
 impl<'a> WornLook<'a> {
@@ -302,27 +292,9 @@ impl PartDraw<'_> {
     /// the look's.
     fn rig_inputs(&self) -> RigInputs<'_> {
         let PlacedScene { setup, options, view, placed, aims, .. } = self.scene;
-        let VisibleObject { number, object } = self.visible;
-        let center = placed[number].center;
-        let time = &setup.scene.time;
-        RigInputs {
-            time: options.time,
-            illumination: DQuat::from_array(setup.scene.illumination).normalize(),
-            camera_from_world: view.rotation(),
-            view: view.toward_viewer(center),
-            center,
-            distance: view.eye.distance(center),
-            front: object.world_from_object.transform_vector3(DVec3::Z),
-            turn: ObjectFrame::new(center, object.world_from_object).turn,
-            near: self.near,
-            exposed: &object.values,
-            lights: &setup.scene.lights,
-            scene_values: self.scene_values,
-            aims,
-            viewport: options.size.map(f64::from),
-            frame: ((options.time - time.start) * time.fps).round(),
-            object_id: number as f64,
-        }
+        let number = self.visible.number;
+        let around = Surroundings { near: self.near, aims, scene_values: self.scene_values };
+        setup.rig_inputs((number, placed[number].center), view, options, around)
     }
 }
 
@@ -345,7 +317,7 @@ fn is_opaque(shader: &CompiledShader, images: &[Arc<Image>]) -> bool {
 
 /// The parameters with the values that the document has now: a live module was compiled from an
 /// earlier state of the values.
-fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
+pub(in crate::frame) fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
     params
         .iter()
         .map(|param| {

@@ -40,6 +40,7 @@ use crate::geometry::Mesh;
 use crate::ids::ObjectId;
 use crate::library::{PassId, Stage};
 
+pub(super) use draws::current_params;
 pub(super) use images::images;
 pub use planner::Planner;
 pub use style::PlanStyle;
