@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
-    let mut planner = Planner::for_truth(assets);
+    let mut planner = Planner::for_probes(assets);
     let plan = planner.plan(&setup, &library, &Live::All, &options)?.value;
     let wires = probe_wires(&plan, arguments.at, &ReferenceOptions::default(), &Progress::new())
         .map_err(|one| vec![one])?;
@@ -89,9 +89,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let surfaces = planner.plan(&of_surface, &library, &Live::All, &options)?.value;
         let surface = probe_surface(&surfaces, arguments.at, &Progress::new());
         let surface = surface.map_err(|one| vec![one])?;
-        surface.map_or_else(Vec::new, |surface| {
-            light_accounts(&setup, &library, &plan, &wires, &surface)
-        })
+        let moment = (&plan, arguments.time);
+        let accounts = surface
+            .map(|surface| light_accounts(&setup, &library, moment, &wires, &surface))
+            .transpose();
+        accounts.map_err(|one| vec![one])?.unwrap_or_default()
     } else {
         Vec::new()
     };

@@ -186,6 +186,9 @@ fn draw_lights(
     // All of a layer is drawn, whichever pixels of the picture are wanted.
     let options = ReferenceOptions { region: None, ..*options };
     let size = [maps.side, maps.side];
+    if maps.layers.is_empty() {
+        return Ok(Texels::new([1, 1], channels(pass)));
+    }
     let mut made = Texels::new([maps.side, 0], channels(pass));
     progress.begin(maps.layers.len() as u64);
     for (number, layer) in maps.layers.iter().enumerate() {

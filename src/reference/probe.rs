@@ -9,7 +9,7 @@ use super::options::ReferenceOptions;
 use super::shader::QuadBatch;
 use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
-use crate::ids::NodePath;
+use crate::ids::{LightId, NodePath};
 use crate::interp::{Lanes, Precision, Program};
 use crate::progress::Progress;
 
@@ -116,6 +116,8 @@ pub struct WireValue {
     pub draw: usize,
     /// Path of the node.
     pub node: NodePath,
+    /// Light that the value is about, where that is one alone; of plans as looks are written.
+    pub light: Option<LightId>,
     /// Name of the value in the generated source.
     pub name: String,
     /// Value with every operation rounded to f32, as a GPU computes.
@@ -165,6 +167,7 @@ pub fn probe_wires(
         Some(WireValue {
             draw: drawn,
             node,
+            light: draw.look.spans.light_at(value.span.start).cloned(),
             name: value.name,
             single: same.numbers.clone(),
             double: value.numbers,

@@ -12,6 +12,7 @@ mod effects;
 mod grouping;
 mod layered_lights;
 mod links;
+mod lit_pixels;
 mod long_graphs;
 mod looped_lights;
 mod mute;

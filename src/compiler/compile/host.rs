@@ -182,10 +182,20 @@ impl HostProgram {
         })
     }
 
+    /// The lights whose shadows the module draws: those whose casters or shadow maps it reads.
+    pub fn shadowing_lights(&self) -> impl Iterator<Item = &LightId> {
+        self.lights_of(LightInput::is_shadow)
+    }
+
     /// The lights whose shadow maps it reads.
     pub fn mapped_lights(&self) -> impl Iterator<Item = &LightId> {
-        self.steps.iter().filter_map(|step| match step {
-            ProgramStep::Context(context, light) if context.word() == LightInput::SHADOW_MAP => {
+        self.lights_of(LightInput::is_shadow_map)
+    }
+
+    /// The lights of which it reads such an input.
+    fn lights_of(&self, is_wanted: fn(LightInput) -> bool) -> impl Iterator<Item = &LightId> {
+        self.steps.iter().filter_map(move |step| match step {
+            ProgramStep::Context(context, light) if context.light_input().is_some_and(is_wanted) => {
                 light.as_ref()
             }
             _ => None,

@@ -4,6 +4,7 @@
 //! removal with its reason; `emit` writes the WGSL, which naga then validates. Each step has its
 //! own type, so none can be left out.
 
+mod about;
 mod check;
 mod drivers;
 mod emit;

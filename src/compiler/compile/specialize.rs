@@ -177,6 +177,8 @@ pub struct Needs {
     pub images: Vec<ImageUse>,
     /// The scene's resources that it reads.
     pub resources: Vec<Context>,
+    /// True if it asks casters what stands about a surface, whatever the light.
+    pub occluders: bool,
 }
 
 impl Needs {

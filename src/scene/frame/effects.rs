@@ -169,7 +169,7 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
 
 /// The triangles that cast shadows, where a look reads them.
 fn casters(plan: &FramePlan) -> Option<Effect> {
-    let casters = plan.casters.as_ref()?;
+    let casters = plan.casters.as_ref().filter(|casters| !casters.trees().is_empty())?;
     let reads = |draw: &&Draw| draw.modules().any(|module| module.needs.casters());
     let draw = plan.draws.iter().find(reads)?;
     let triangles = casters.trees().iter().map(|tree| u64::from(tree.triangles));

@@ -23,6 +23,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use super::CompileOptions;
+use super::about::single_lights;
 use super::check::TypedGraph;
 use super::functions::{CallForm, Code, SpecializedFunctions, module_key};
 use super::host::{
@@ -37,7 +38,7 @@ use super::specialize::{
 };
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::ids::NodePath;
+use crate::ids::{LightId, NodePath};
 use crate::library::{Context, Library, NodeModule, PassId, Rate, Treatment, Type};
 use crate::wgsl::WgslError;
 
@@ -88,6 +89,8 @@ pub type ImageBinding = usize;
 struct Span {
     bytes: Range<usize>,
     path: NodePath,
+    /// The light that the node's value is about, of modules that are compiled as they are written.
+    light: Option<LightId>,
     /// The number of stretches around this one.
     depth: usize,
 }
@@ -108,10 +111,21 @@ impl SpanMap {
     /// The node that all of these bytes came from: the innermost of those that stand inside one
     /// another.
     pub fn node_of(&self, bytes: &Range<usize>) -> Option<&NodePath> {
+        self.innermost(bytes).map(|span| &span.path)
+    }
+
+    /// The light that the value of a byte's node is about, where that is one alone. Known in
+    /// modules that are compiled as they are written: in others one value may be that of several
+    /// lights.
+    pub fn light_at(&self, offset: usize) -> Option<&LightId> {
+        self.innermost(&(offset..offset + 1))?.light.as_ref()
+    }
+
+    fn innermost(&self, bytes: &Range<usize>) -> Option<&Span> {
         let after = self.spans.partition_point(|span| span.bytes.start <= bytes.start);
         for span in self.spans[..after].iter().rev() {
             if span.bytes.start <= bytes.start && bytes.end <= span.bytes.end {
-                return Some(&span.path);
+                return Some(span);
             }
             if span.depth == 0 {
                 break;
@@ -220,6 +234,8 @@ struct Emitter<'a> {
     barrier_names: Option<[String; 2]>,
     out: String,
     spans: SpanMap,
+    /// By node: the light that its value is about, of modules that are written as they are.
+    single_lights: Vec<Option<LightId>>,
 }
 
 impl<'a> Emitter<'a> {
@@ -252,6 +268,7 @@ impl<'a> Emitter<'a> {
             barrier_names: None,
             out: String::new(),
             spans: SpanMap::default(),
+            single_lights: if options.unspecialized { single_lights(graph) } else { Vec::new() },
         }
     }
 
@@ -578,6 +595,8 @@ impl<'a> Emitter<'a> {
                 self.needs.contexts.push(*context);
             }
         }
+        self.needs.occluders =
+            (0..reached.len()).any(|id| reached[id] && self.reads_occluders(id));
         self.needs.contexts.sort_unstable();
         let read = std::mem::take(&mut self.needs.contexts).into_iter();
         let (resources, contexts) = read.partition(|context| context.is_resource());
@@ -592,6 +611,19 @@ impl<'a> Emitter<'a> {
                 }
             }
         }
+    }
+
+    /// True for a call of a node that is about no light, and asks what stands about a surface.
+    fn reads_occluders(&self, call: ValueId) -> bool {
+        let values = &self.special.values;
+        let is_casters = |argument: &Argument| match argument {
+            Argument::Value(id) => {
+                matches!(values[*id].operation, Operation::Context(Context::CASTERS, _))
+            }
+            _ => false,
+        };
+        let Operation::Call { arguments, .. } = &values[call].operation else { return false };
+        self.graph.nodes[values[call].node].light.is_none() && arguments.iter().any(is_casters)
     }
 
     fn image_is_used(&self, image: usize) -> bool {

@@ -7,7 +7,7 @@ use super::Emitter;
 use super::parts::Body;
 use crate::compile::functions::{CallForm, Code, LINE, level};
 use crate::compile::specialize::{Argument, Operation, ValueId};
-use crate::ids::NodePath;
+use crate::ids::{LightId, NodePath};
 use crate::library::Rate;
 
 /// Marks around a call within another, in text that is still to be written: where it begins, where
@@ -144,7 +144,7 @@ impl Emitter<'_> {
     pub(super) fn write_value(&self, id: ValueId, marked: &str, depth: usize, body: &mut Body) {
         body.text.push_str(&"    ".repeat(depth));
         let own = body.spans.len();
-        body.add_span(body.text.len(), self.path_of(id), 0);
+        body.add_span(body.text.len(), self.origin_of(id), 0);
         let mut open = vec![own];
         let mut number: Option<ValueId> = None;
         for character in marked.chars() {
@@ -154,7 +154,7 @@ impl Emitter<'_> {
                     if let Some(inner) = inner.take() {
                         open.push(body.spans.len());
                         let depth = open.len() - 1;
-                        body.add_span(body.text.len(), self.path_of(inner), depth);
+                        body.add_span(body.text.len(), self.origin_of(inner), depth);
                     }
                 }
                 (END, _) => {
@@ -173,8 +173,10 @@ impl Emitter<'_> {
         body.text.push('\n');
     }
 
-    fn path_of(&self, id: ValueId) -> NodePath {
-        self.graph.nodes[self.special.values[id].node].path.clone()
+    /// The node of a value, and the light that it is about.
+    fn origin_of(&self, id: ValueId) -> (NodePath, Option<LightId>) {
+        let node = self.special.values[id].node;
+        (self.graph.nodes[node].path.clone(), self.single_lights.get(node).cloned().flatten())
     }
 }
 

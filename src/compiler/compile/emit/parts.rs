@@ -18,7 +18,7 @@ use super::loops::LoopBlock;
 use super::{Emitter, Span};
 use crate::compile::functions::{LINE, write_line};
 use crate::compile::specialize::{Operation, ValueId, operands};
-use crate::ids::NodePath;
+use crate::ids::{LightId, NodePath};
 use crate::library::{Rate, Type};
 
 /// A function of at most this many blocks is left whole.
@@ -54,8 +54,13 @@ pub(super) struct Body {
 
 impl Body {
     /// Begins a stretch of text that comes from a node.
-    pub(super) fn add_span(&mut self, start: usize, path: NodePath, depth: usize) {
-        self.spans.push(Span { bytes: start..start, path, depth });
+    pub(super) fn add_span(
+        &mut self,
+        start: usize,
+        (path, light): (NodePath, Option<LightId>),
+        depth: usize,
+    ) {
+        self.spans.push(Span { bytes: start..start, path, light, depth });
     }
 
     /// Ends a stretch where the text ends now.

@@ -131,13 +131,23 @@ const COMPUTED: &[ComputedRow] = &[
 
 impl LightInput {
     /// Word of the place of a light's shadow map.
-    pub const SHADOW_MAP: &str = "light.shadow_map";
+    const SHADOW_MAP: &str = "light.shadow_map";
 
     /// All inputs.
     pub fn all() -> impl Iterator<Item = Self> {
         let asked = LightField::ALL.into_iter().filter(|field| field.shader_help().is_some());
         let computed = (0..COMPUTED.len()).map(|index| ComputedInput(index as u8));
         asked.map(Self::Field).chain(computed.map(Self::Computed))
+    }
+
+    /// True if the input tells what casts the light's shadows: for rays, or on a map.
+    pub fn is_shadow(self) -> bool {
+        self.word() == "light.casters" || self.is_shadow_map()
+    }
+
+    /// True if the input tells where the light's shadow map is.
+    pub fn is_shadow_map(self) -> bool {
+        self.word() == Self::SHADOW_MAP
     }
 
     fn row(self) -> InputRow {

@@ -93,7 +93,7 @@ pub struct Probe {
 impl Probe {
     /// Creates a probe that is off. `wake` is called from another thread when there is a result.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planners = [0; 2].map(|_| CachedPlanner::new(Planner::for_truth));
+        let mut planners = [0; 2].map(|_| CachedPlanner::new(Planner::for_probes));
         Self {
             worker: Worker::new("probe", wake, move |query| probe(&mut planners, query)),
             is_on: false,
@@ -304,9 +304,13 @@ fn probe(
         let Some(wires) = wires else { return Ok(None) };
         let place = (spot.pixel, spot.size);
         let surface = read_surface(of_surface, &snapshot, place, false, &progress)?;
-        let lights = surface.map_or_else(Vec::new, |surface| {
-            light_accounts(&setup, &snapshot.library, &plan, &wires, &surface.seen)
-        });
+        let moment = (&plan, snapshot.time);
+        let lights = surface
+            .map(|surface| {
+                light_accounts(&setup, &snapshot.library, moment, &wires, &surface.seen)
+            })
+            .transpose();
+        let lights = lights.map_err(|problem| vec![problem])?.unwrap_or_default();
         Ok(Some(ProbedPixel { wires, lights }))
     };
     let result = find();

@@ -1,19 +1,22 @@
 //! Shadows of a picture: which objects cast those of which lights onto which objects.
 
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use indexmap::{IndexMap, IndexSet};
 
+use super::DroppedEffect;
 use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
-use super::variants::Variants;
+use super::variants::{LookShaders, Variants};
+use crate::compile::{CompiledShader, LightValues, Needs, Proof};
 use crate::diag::Diagnostic;
-use crate::compile::{CompiledShader, LightValues, Needs};
 use crate::document::Light;
 use crate::frame::casters::Casters;
+use crate::frame::cost::EffectCost;
+use crate::frame::effects::EffectKind;
 use crate::frame::links::unlit;
 use crate::frame::setup::{Setup, SetupObject};
 use crate::frame::shadow_maps::{MapPlaces, MapScene, ShadowMaps};
@@ -21,6 +24,7 @@ use crate::frame::visibility::ObjectPlacement;
 use crate::ids::{LightId, ObjectId};
 
 /// Casters of a picture, with the numbers by which lights know theirs.
+#[derive(Default)]
 pub(super) struct PlannedCasters<'a> {
     /// Triangles that rays meet; `None` where none are sent.
     pub(super) texture: Option<Arc<Casters>>,
@@ -150,30 +154,84 @@ impl Shadows {
     }
 }
 
+/// Object whose looks read casters.
+struct ShadowReader {
+    /// Number of the object.
+    object: usize,
+    /// Lights that reach it, and whose shadows its looks draw.
+    lights: BTreeSet<LightId>,
+    /// True if its looks ask what stands about it, whatever the light.
+    reads_occluders: bool,
+    /// True if its looks ask by rays.
+    sends_rays: bool,
+}
+
+impl ShadowReader {
+    /// True if no shadow falls on the object.
+    fn is_free(&self) -> bool {
+        self.lights.is_empty() && !self.reads_occluders
+    }
+}
+
+/// The effect of casters that no light needs.
+fn no_casters() -> DroppedEffect {
+    DroppedEffect {
+        what: "shadow casters".to_owned(),
+        why: "no light whose shadows are drawn reaches an object".to_owned(),
+        kind: EffectKind::Casters,
+        proof: Proof::NoLight,
+        look: None,
+        cost: EffectCost::default(),
+    }
+}
+
 impl Planner {
+    /// The object with what its looks read of casters; `None` where they read none.
+    fn shadow_reader(
+        &self,
+        scene: &PlacedScene<'_>,
+        VisibleObject { number, object }: &VisibleObject<'_>,
+        variants: &Variants,
+    ) -> Option<ShadowReader> {
+        let of_look = |look| self.shaders.get(&variants.get(&(*number, look))?.key);
+        let looks: Vec<&LookShaders> = object.worn_looks().filter_map(of_look).collect();
+        let modules = looks
+            .iter()
+            .flat_map(|shaders| std::iter::once(&shaders.draw).chain(shaders.before.values()));
+        let asks = |needs: &Needs| needs.casters() || needs.shadow_maps();
+        let mut readers = modules.filter(|module| asks(&module.needs)).peekable();
+        readers.peek()?;
+        let dark = unlit(scene.setup, &scene.mix, object);
+        let mut lights = BTreeSet::new();
+        let (mut reads_occluders, mut sends_rays) = (false, false);
+        for module in readers {
+            let shadowing = module.host.shadowing_lights();
+            lights.extend(shadowing.filter(|light| !dark.contains_key(*light)).cloned());
+            reads_occluders |= module.needs.occluders;
+            sends_rays |= module.needs.casters();
+        }
+        Some(ShadowReader { object: *number, lights, reads_occluders, sends_rays })
+    }
+
     /// The casters that looks of visible objects ask about, by rays or maps; `None` where none do.
+    /// Lights whose shadows no look draws, and lights that do not reach the object, have none.
     pub(super) fn casters<'a>(
         &self,
         scene: &'a PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
         variants: &Variants,
+        dropped: &mut Vec<DroppedEffect>,
     ) -> Result<Option<PlannedCasters<'a>>, Vec<Diagnostic>> {
-        let asks = |number: usize, look: usize, asks: fn(&Needs) -> bool| {
-            let shaders = variants.get(&(number, look)).and_then(|v| self.shaders.get(&v.key));
-            shaders.is_some_and(|shaders| {
-                asks(&shaders.draw.needs) || shaders.before.values().any(|s| asks(&s.needs))
-            })
-        };
-        let reads = |number: usize, look: usize| {
-            asks(number, look, |needs| needs.casters() || needs.shadow_maps())
-        };
-        let readers: HashSet<usize> = visible
-            .iter()
-            .filter(|v| v.object.worn_looks().any(|look| reads(v.number, look)))
-            .map(|visible| visible.number)
-            .collect();
+        let readers: Vec<ShadowReader> =
+            visible.iter().filter_map(|v| self.shadow_reader(scene, v, variants)).collect();
         if readers.is_empty() {
             return Ok(None);
+        }
+        let sends_rays = readers.iter().any(|reader| reader.sends_rays);
+        if readers.iter().all(ShadowReader::is_free) {
+            dropped.push(no_casters());
+            let texture = sends_rays.then(Arc::default);
+            return Ok(Some(PlannedCasters { texture, ..PlannedCasters::default() }));
         }
         let objects = &scene.setup.objects;
         let lights = scene.setup.all_lights();
@@ -187,26 +245,25 @@ impl Planner {
         // Without links one set serves all.
         let is_linked = shadows.iter().any(|shadows| matches!(shadows, Shadows::Of(..)));
         let mut occluders: HashMap<usize, usize> = HashMap::new();
-        for receiver in readers {
-            let onto = &objects[receiver].id;
-            let around = match is_linked || sets.is_empty() {
-                true => sets.insert_full(set_of(&|caster| shadows[*caster].reach(onto))).0,
-                false => 0,
-            };
-            occluders.insert(receiver, around);
-            let dark = unlit(scene.setup, &scene.mix, &objects[receiver]);
-            for light in lights.keys().filter(|light| !dark.contains_key(*light)) {
-                let set = match is_linked {
-                    true => sets.insert_full(set_of(&|c| shadows[*c].fall(light, onto))).0,
-                    false => around,
+        for ShadowReader { object: receiver, lights, reads_occluders, .. } in &readers {
+            let (receiver, onto) = (*receiver, &objects[*receiver].id);
+            // The set of those that cast, and whether the receiver is one of them.
+            let mut insert = |casts: &dyn Fn(&usize) -> bool| {
+                let set = match is_linked || sets.is_empty() {
+                    true => sets.insert_full(set_of(casts)).0,
+                    false => 0,
                 };
-                let onto_itself = sets[set].binary_search(&receiver).is_ok();
+                (set, sets[set].binary_search(&receiver).is_ok())
+            };
+            if *reads_occluders {
+                let (around, _) = insert(&|caster| shadows[*caster].reach(onto));
+                occluders.insert(receiver, around);
+            }
+            for light in lights {
+                let (set, onto_itself) = insert(&|caster| shadows[*caster].fall(light, onto));
                 found.push((receiver, light, set, onto_itself));
             }
         }
-        let sends_rays = visible
-            .iter()
-            .any(|v| v.object.worn_looks().any(|look| asks(v.number, look, Needs::casters)));
         let texture = match sends_rays {
             true => Some(
                 Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?,

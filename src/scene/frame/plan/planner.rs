@@ -10,7 +10,7 @@ use super::passes::{ContextReaders, SceneSeen, WantedPasses};
 use super::style::PlanStyle;
 use super::variants::LookShaders;
 use super::{FramePlan, PlanOptions};
-use crate::compile::{CompiledShader, Live};
+use crate::compile::{CompiledShader, Live, Loops};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::assets::Assets;
@@ -40,6 +40,8 @@ pub struct Planner {
     pub(super) deferred: DeferredLooks,
     /// True if looks are compiled as they are written: nothing folded, merged or removed.
     pub(super) unspecialized: bool,
+    /// Choice of the lights that modules go through in loops.
+    pub(super) loops: Loops,
 }
 
 impl Planner {
@@ -52,6 +54,12 @@ impl Planner {
     /// removed. Its plans are to be asked for with [`Live::All`], so that every value comes in f64.
     pub fn for_truth(assets: Assets) -> Self {
         PlanStyle::AsWritten.planner(assets)
+    }
+
+    /// A planner for probes: [for the truth](Self::for_truth), with code of its own for each light
+    /// of a region, so that the values of one are told from those of another.
+    pub fn for_probes(assets: Assets) -> Self {
+        Self { loops: Loops::Never, ..Self::for_truth(assets) }
     }
 
     /// The planner, changed to leave out `cull`.
@@ -105,7 +113,7 @@ impl Planner {
         let stages = wanted.stages_before();
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);
-        let casters = self.casters(&scene, &visible, &variants)?;
+        let casters = self.casters(&scene, &visible, &variants, &mut dropped)?;
         let draws = self.draws(&scene, (&visible, casters.as_ref()), &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
         let shadow_maps = casters.as_ref().map(|casters| casters.maps(options.size[1]));

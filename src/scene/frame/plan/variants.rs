@@ -219,6 +219,7 @@ impl Planner {
             cutout: variant.cutout,
             dark: variant.dark.clone(),
             unspecialized: self.unspecialized,
+            loops: self.loops,
             ..CompileOptions::default()
         }
     }
