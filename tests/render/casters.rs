@@ -1,4 +1,5 @@
-//! Casters of shadows: they exist while a live node asks, and are made anew only where they moved.
+//! Casters of shadows: they exist while a live node asks for a light that reaches it, and are made
+//! anew only where they moved.
 #![cfg(feature = "gpu")]
 
 use std::collections::HashMap;
@@ -7,11 +8,15 @@ use std::sync::Arc;
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
 use chiaro::compile::Live;
-use chiaro::document::Scene;
-use chiaro::frame::{EffectKind, FramePlan, PlanOptions, Planner, Setup, SetupLook, effects};
+use chiaro::document::{LightSet, Scene, ShadowLink};
+use chiaro::frame::{
+    Assets, EffectKind, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, effects,
+};
+use chiaro::geometry::Mesh;
+use chiaro::ids::ObjectId;
 use chiaro::library::Library;
 use glam::{DMat4, DVec3};
-use serde_json::json;
+use serde_json::{Value as Json, json};
 
 /// A look of which a share is the light's shadow.
 fn shaded(share: f64) -> SetupLook {
@@ -110,4 +115,178 @@ fn an_export_refuses_looks_that_send_rays() {
         assert!(hint.contains(&format!("--tier {tier}")), "{problem:?}");
     }
     assert!(export(0.0).is_ok(), "what is not seen sends none");
+}
+
+/// Two objects in a look with the shadow of `key` and, if told so, of `rim`, onto which an object
+/// casts shadows of `key` alone; `rim` is kept from its node by `links`.
+fn two_lights(with_rim: bool, links: &Json) -> Setup {
+    let mut rim = json!({"id": "b", "kind": "cast_shadow", "values": {"light": "rim"}});
+    rim.as_object_mut().unwrap().extend(links.as_object().unwrap().clone());
+    let mut nodes = json!([{"id": "a", "kind": "cast_shadow", "values": {"light": "key"}},
+        {"id": "both", "kind": "add"}, {"id": "output", "kind": "output"}]);
+    let mut wires = json!([{"from": "a", "to": "both.a"}, {"from": "both", "to": "output.color"}]);
+    if with_rim {
+        nodes.as_array_mut().unwrap().push(rim);
+        wires.as_array_mut().unwrap().push(json!({"from": "b", "to": "both.b"}));
+    }
+    let lights = json!({"key": {"direction": [0.5, 1, 0.5]}, "rim": {"direction": [-1, 1, 0]}});
+    let worn = look(&json!({"name": "Two", "lights": lights, "nodes": nodes, "wires": wires}));
+    let mut setup = pair(0.5, 0.0);
+    setup.looks = vec![worn];
+    setup.objects.iter_mut().for_each(|object| object.looks = vec![Some(0)]);
+    let of_key = LightSet::parse("key").unwrap();
+    setup.objects[1].shadow_link = ShadowLink { shadowed: of_key, ..ShadowLink::default() };
+    setup
+}
+
+/// What a node is kept from makes no casters, nor does what is muted or not linked.
+#[test]
+fn lights_that_reach_no_reader_have_no_casters() {
+    let texels_of = |mut planner: Planner, setup: &Setup| {
+        planned(&mut planner, setup).casters.expect("casters").texels()
+    };
+    let texels = |setup: &Setup| texels_of(Planner::default(), setup);
+    let of_key = texels(&two_lights(false, &json!({})));
+    let of_both = texels(&two_lights(true, &json!({})));
+    assert!(of_both != of_key, "the light has other casters");
+    let away = two_lights(true, &json!({"unlayered": "rim"}));
+    assert!(texels(&away) == of_key, "`unlayered` keeps it away");
+    let mut muted = two_lights(true, &json!({}));
+    muted.scene.muted = LightSet::parse("rim").unwrap();
+    assert!(texels(&muted) == of_key, "it is muted");
+    let mut unlinked = two_lights(true, &json!({}));
+    for object in &mut unlinked.objects {
+        object.light_link.unlinked = LightSet::parse("rim").unwrap();
+    }
+    assert!(texels(&unlinked) == of_key, "it is not linked");
+    // The rule is told, and the truth agrees, which folds nothing away.
+    let plan = planned(&mut Planner::default(), &away);
+    let told = plan.dropped.iter().find(|one| one.what.contains("`rim` on the node `b`"));
+    assert!(told.is_some_and(|one| one.why.contains("`unlayered` (`rim`) has it")));
+    let [truth, wanted] = [&away, &two_lights(false, &json!({}))]
+        .map(|setup| texels_of(Planner::for_truth(Assets::default()), setup));
+    assert!(truth == wanted);
+}
+
+/// Where no light is left whose shadows are drawn, nothing is sent to the GPU, and the picture is
+/// the one without shadows.
+#[test]
+fn muted_lights_leave_no_casters() {
+    let mut setup = pair(0.5, 0.0);
+    setup.scene.muted = LightSet::parse("*").unwrap();
+    let plan = planned(&mut Planner::default(), &setup);
+    assert!(plan.casters.as_ref().is_none_or(|casters| casters.trees().is_empty()));
+    let all = effects(&plan, &HashMap::new());
+    let mut of_casters = all.iter().filter(|effect| effect.kind == EffectKind::Casters);
+    let told = of_casters.next().expect("an effect");
+    assert!(told.reason.contains("no light whose shadows are drawn"), "{told:?}");
+    assert!(of_casters.next().is_none() && told.cost.bytes == 0);
+    let picture = |setup: &Setup| {
+        let plan = planned(&mut Planner::default(), setup);
+        block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}")).rgba
+    };
+    let shadowed = picture(&pair(0.5, 0.0));
+    let mut bare = pair(0.5, 0.0);
+    for object in &mut bare.objects {
+        object.shadow_link.shadowed = LightSet::parse("").unwrap();
+    }
+    let unshadowed = picture(&bare);
+    assert!(shadowed != unshadowed, "there are shadows");
+    assert!(picture(&setup) == unshadowed);
+}
+
+/// A thousand lights, of which an object is linked to three, cost what the three cost alone: the
+/// same code, the same uniform and the same casters.
+#[test]
+fn lights_that_reach_nothing_cost_nothing() {
+    let setup = |count: usize| {
+        let light = |index: usize| {
+            let (sine, cosine) = (index as f64).sin_cos();
+            let light = json!({"type": "point", "position": [3.0 * sine, 3.0, 3.0 * cosine]});
+            (format!("light_{index}"), light)
+        };
+        let lights: serde_json::Map<String, Json> = (0..count).map(light).collect();
+        let worn = look(&json!({"name": "Many", "lights": lights,
+            "definitions": {"lamps": {
+                "outputs": [{"name": "color"}],
+                "nodes": [{"id": "lamp", "kind": "light"},
+                    {"id": "angle", "kind": "parametrization"}, {"id": "tone", "kind": "profile"},
+                    {"id": "shadow", "kind": "cast_shadow"}, {"id": "lit", "kind": "multiply"},
+                    {"id": "join", "kind": "sum_of_lights"}],
+                "wires": [{"from": "lamp", "to": "angle.light"},
+                    {"from": "angle", "to": "tone.angle"}, {"from": "tone", "to": "lit.a"},
+                    {"from": "shadow", "to": "lit.b"}, {"from": "lit", "to": "join.value"},
+                    {"from": "join", "to": "outputs.color"}]}},
+            "nodes": [{"id": "each", "kind": "lamps", "for_each": "*"},
+                {"id": "output", "kind": "output"}],
+            "wires": [{"from": "each", "to": "output.color"}]}));
+        let mut setup = pair(0.5, 0.0);
+        setup.looks = vec![worn];
+        for object in &mut setup.objects {
+            object.looks = vec![Some(0)];
+            object.light_link.linked = LightSet::parse("light_0 | light_1 | light_2").unwrap();
+        }
+        setup
+    };
+    let [many, few] = [1000, 3].map(|count| planned(&mut Planner::default(), &setup(count)));
+    assert!(many.draws[0].look.wgsl.contains("light_2"), "{}", many.draws[0].look.wgsl);
+    assert_eq!(many.draws[0].look.wgsl, few.draws[0].look.wgsl);
+    let numbers = |plan: &FramePlan| {
+        plan.draws
+            .iter()
+            .flat_map(|draw| draw.look_uniforms.values())
+            .map(|u| u.numbers.clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(numbers(&many), numbers(&few));
+    let [many_casters, few_casters] = [&many, &few].map(|plan| plan.casters.clone().unwrap());
+    assert!(many_casters.texels() == few_casters.texels());
+    let told = many.dropped.iter().filter(|one| one.kind == EffectKind::Light);
+    let rule = "`linked` (`light_0 | light_1 | light_2`) has it not";
+    assert_eq!(told.filter(|one| one.why.contains(rule)).count(), 997);
+}
+
+/// Each mesh begins a row of the texture, and of rows there are only so many.
+#[test]
+fn more_casters_than_the_texture_holds_are_refused() {
+    let mut setup = pair(0.5, 0.0);
+    let one = setup.objects.remove(1);
+    let triangle = Mesh {
+        indices: one.mesh.indices[..3].to_vec(),
+        parts: vec![chiaro::geometry::MeshPart { indices: 0..3, ..one.mesh.parts[0].clone() }],
+        positions: one.mesh.positions[..4].to_vec(),
+        normals: one.mesh.normals[..4].to_vec(),
+        tangents: one.mesh.tangents[..4].to_vec(),
+        uvs: one.mesh.uvs[..4].to_vec(),
+        ..Mesh::default()
+    };
+    let object = |number: usize| {
+        let mut mesh = triangle.clone();
+        mesh.indices = vec![0, 1, 2];
+        let id = ObjectId::new(format!("splinter_{number}"));
+        // Behind the camera: casters need not be seen.
+        let placed = DMat4::from_translation(DVec3::new(0.0, 0.0, 100.0 + number as f64));
+        SetupObject { id, mesh: Arc::new(mesh), world_from_object: placed, ..one.clone() }
+    };
+    setup.objects.extend((0..8192).map(object));
+    let options = PlanOptions { size: [64, 64], samples: 1, time: 0.0 };
+    let problems = Planner::default()
+        .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+        .expect_err("they are too many");
+    assert_eq!(problems[0].code, "too-many-casters", "{problems:?}");
+    assert!(problems[0].message.contains("texels, and 16777216 is the most"), "{problems:?}");
+    assert!(!problems[0].hints.is_empty());
+    setup.objects.truncate(100);
+    assert!(planned(&mut Planner::default(), &setup).casters.is_some());
+}
+
+/// The shader finds texels by the width that the texture has.
+#[test]
+fn rows_are_as_long_in_the_shader_as_in_the_texture() {
+    let casters = planned(&mut Planner::default(), &pair(0.5, 0.0)).casters.expect("casters");
+    let [width, _] = casters.size();
+    assert!(width.is_power_of_two());
+    let text = std::fs::read_to_string(crate::support::root().join("shaders/lib/casters.wgsl"));
+    let place = format!("vec2i(index & {}, index >> {}u)", width - 1, width.trailing_zeros());
+    assert!(text.unwrap().contains(&place), "no {place}");
 }

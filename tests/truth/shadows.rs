@@ -27,6 +27,8 @@ const SEEN: f64 = 4.0;
 enum TestLight {
     Sun(DVec3),
     Lamp(DVec3),
+    /// A spot at a place that shines along a direction, with a cone wider than what is seen.
+    Spot(DVec3, DVec3),
 }
 
 impl TestLight {
@@ -36,6 +38,17 @@ impl TestLight {
             Self::Lamp(place) => {
                 json!({"type": "point", "position": place.to_array(), "space": "world"})
             }
+            Self::Spot(place, aim) => json!({"type": "spot", "position": place.to_array(),
+                "aim": aim.to_array(), "inner": 1.2, "outer": 1.4, "space": "world"}),
+        }
+    }
+
+    /// The light moved aside: a lamp by so much, a sun at a distance of 1.
+    fn moved(self, aside: DVec3) -> Self {
+        match self {
+            Self::Sun(toward) => Self::Sun(toward + aside),
+            Self::Lamp(place) => Self::Lamp(place + aside),
+            Self::Spot(place, aim) => Self::Spot(place + aside, aim),
         }
     }
 
@@ -43,7 +56,9 @@ impl TestLight {
     fn way(self, place: DVec3) -> (DVec3, f64) {
         match self {
             Self::Sun(toward) => (toward.normalize(), f64::INFINITY),
-            Self::Lamp(lamp) => ((lamp - place).normalize(), lamp.distance(place)),
+            Self::Lamp(lamp) | Self::Spot(lamp, _) => {
+                ((lamp - place).normalize(), lamp.distance(place))
+            }
         }
     }
 }
@@ -88,7 +103,11 @@ fn floor() -> (Mesh, DMat4) {
 }
 
 fn planned(setup: &Setup, style: PlanStyle) -> FramePlan {
-    let options = PlanOptions { size: [SIZE; 2], samples: 1, time: 0.0 };
+    planned_at(setup, style, SIZE)
+}
+
+fn planned_at(setup: &Setup, style: PlanStyle, size: u32) -> FramePlan {
+    let options = PlanOptions { size: [size; 2], samples: 1, time: 0.0 };
     let planned =
         style.planner(Default::default()).plan(setup, Library::built_in(), &style.live(), &options);
     planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value
@@ -96,7 +115,11 @@ fn planned(setup: &Setup, style: PlanStyle) -> FramePlan {
 
 /// The first number of each pixel on the GPU; exact nodes.
 fn on_gpu(setup: &Setup) -> Vec<f64> {
-    let plan = planned(setup, PlanStyle::Specialized);
+    on_gpu_at(setup, SIZE)
+}
+
+fn on_gpu_at(setup: &Setup, size: u32) -> Vec<f64> {
+    let plan = planned_at(setup, PlanStyle::Specialized, size);
     let drawn = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
     drawn.rgba.iter().map(|pixel| f64::from(pixel[0])).collect()
 }
@@ -133,6 +156,7 @@ fn first_met(origin: DVec3, light: TestLight, blockers: &[[DVec3; 3]]) -> Option
 }
 
 /// Triangles with the box around each one's shadow on the floor, by x and z.
+#[derive(Default)]
 struct FloorShadows(Vec<([DVec2; 2], [DVec3; 3])>);
 
 impl FloorShadows {
@@ -147,6 +171,16 @@ impl FloorShadows {
             ([a.min(b).min(c) - 1e-6, a.max(b).max(c) + 1e-6], *triangle)
         };
         Self(blockers.iter().map(boxed).collect())
+    }
+
+    /// Those whose boxes meet a pixel of the floor: no others can darken a place in it.
+    fn of_pixel(&self, pixel: usize) -> Self {
+        let [a, b] = [DVec2::ZERO, DVec2::ONE].map(|within| {
+            let place = on_floor(pixel, within);
+            DVec2::new(place.x, place.z)
+        });
+        let meets = |[least, most]: &[DVec2; 2]| a.cmple(*most).all() && b.cmpge(*least).all();
+        Self(self.0.iter().filter(|(around, _)| meets(around)).copied().collect())
     }
 
     /// True if anything stands between a place of the floor and the light.
@@ -247,6 +281,7 @@ fn edges_cover_as_much_of_a_pixel_as_many_rays_find() {
             let drawn = on_gpu(&setup);
             let mut edges: Vec<f64> = Vec::new();
             for (pixel, found) in drawn.iter().enumerate() {
+                let blockers = blockers.of_pixel(pixel);
                 let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 0.5]];
                 let dark =
                     |at: &[f64; 2]| blockers.is_dark(on_floor(pixel, DVec2::from(*at)), light);
@@ -280,6 +315,8 @@ fn edges_cover_as_much_of_a_pixel_as_many_rays_find() {
 fn the_reference_finds_the_same_shadows() {
     let light = TestLight::Sun(DVec3::new(0.4, 0.8, 0.3));
     let show = |kind: &str| shown(kind, "shadow", light, &json!({}));
+    // The reference takes its time; most of what differs lies at edges, as at any size.
+    let size = SIZE / 2;
     for kind in ["cast_shadow", "self_shadow"] {
         let (mesh, placed) = floor();
         let (creature, fitted) = shape("creature");
@@ -292,9 +329,9 @@ fn the_reference_finds_the_same_shadows() {
             ..from_above(EYE)
         };
         let setup = scene_of(parts, scene);
-        let drawn = on_gpu(&setup);
+        let drawn = on_gpu_at(&setup, size);
         let truth = {
-            let plan = planned(&setup, PlanStyle::AsWritten);
+            let plan = planned_at(&setup, PlanStyle::AsWritten, size);
             block_on(Executor::picture(&mut Reference::default(), &plan, &Progress::new()))
                 .unwrap_or_else(|problem| panic!("{}", told(&[problem])))
         };
@@ -342,33 +379,44 @@ fn soft_shadows_are_as_soft_as_4096_rays_find() {
     let thing = hung("box", above, 0.4);
     let blockers = triangles(std::slice::from_ref(&thing));
     let toward = DVec3::new(0.3, 1.0, 0.1).normalize();
-    let size = 0.2;
-    let light = TestLight::Sun(toward);
-    let look = shown("cast_shadow", "shadow", light, &json!({"size": size}));
-    let setup = scene_on_floor(look, vec![thing], 1.2);
-    let drawn = on_gpu(&setup);
-    let side = toward.any_orthonormal_vector();
-    let up = toward.cross(side);
-    let mut errors = Vec::new();
-    for pixel in (0..drawn.len()).step_by(61) {
-        let place = on_floor(pixel, DVec2::splat(0.5));
-        let of_light = |ray: usize| {
-            // Rings of the same area.
-            let (ring, spoke) = (ray / 64, ray % 64);
-            let radius = ((ring as f64 + 0.5) / 64.0).sqrt();
-            let angle = std::f64::consts::TAU * (spoke as f64 + 0.5) / 64.0;
-            toward + size * radius * (angle.cos() * side + angle.sin() * up)
-        };
-        let blocked = (0..4096)
-            .filter(|ray| first_met(place, TestLight::Sun(of_light(*ray)), &blockers).is_some())
-            .count();
-        errors.push((drawn[pixel] - blocked as f64 / 4096.0).abs());
+    let lamp = 6.0 * toward;
+    for (light, size) in [
+        (TestLight::Sun(toward), 0.2),
+        (TestLight::Lamp(lamp), 1.2),
+        (TestLight::Spot(lamp, -toward), 1.2),
+    ] {
+        let look = shown("cast_shadow", "shadow", light, &json!({"size": size}));
+        let drawn = on_gpu(&scene_on_floor(look, vec![thing.clone()], 1.2));
+        let mut errors = Vec::new();
+        let (mut lit, mut dark, mut most) = (0, 0, 0.0_f64);
+        for pixel in (0..drawn.len()).step_by(91) {
+            let place = on_floor(pixel, DVec2::splat(0.5));
+            let (way, _) = light.way(place);
+            let side = way.any_orthonormal_vector();
+            let up = way.cross(side);
+            let is_blocked = |ray: &usize| {
+                // Rings of the same area.
+                let (ring, spoke) = (ray / 64, ray % 64);
+                let radius = size * ((ring as f64 + 0.5) / 64.0).sqrt();
+                let angle = std::f64::consts::TAU * (spoke as f64 + 0.5) / 64.0;
+                let aside = radius * (angle.cos() * side + angle.sin() * up);
+                first_met(place, light.moved(aside), &blockers).is_some()
+            };
+            let share = (0..4096).filter(is_blocked).count() as f64 / 4096.0;
+            lit += usize::from(share == 0.0);
+            dark += usize::from(share > 0.5);
+            let error = (drawn[pixel] - share).abs();
+            most = most.max(error);
+            if share > 0.0 && share < 1.0 {
+                errors.push(error);
+            }
+        }
+        // Of the pixels that see a part of the light.
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        println!("soft {light:?}: mean {mean:.4}, most {most:.4}, {lit} lit, {dark} dark");
+        assert!(mean < 0.025 && most < 0.05, "{light:?}: mean {mean}, most {most}");
+        assert!(lit > 10 && dark > 2, "{light:?}: {lit} lit, {dark} dark");
     }
-    errors.sort_by(f64::total_cmp);
-    let most = errors[errors.len() - 1];
-    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-    println!("soft: mean {mean:.4}, most {most:.4}");
-    assert!(mean < 0.005 && most < 0.05, "mean {mean}, most {most}");
 }
 
 #[test]
@@ -629,6 +677,31 @@ fn hard_cases_of_rays_stay_shadows() {
         * DMat4::from_scale(DVec3::new(-0.8, 0.8, 0.8));
     let needle = DMat4::from_translation(DVec3::new(0.0, UNSEEN, 0.0))
         * DMat4::from_scale(DVec3::new(1e-12, 1.0, 1e-12));
+    // Triangles of no area: of two corners, and of corners in a row.
+    let splinters = {
+        let mut mesh = box_of_12();
+        for corners in mesh.indices.chunks_exact_mut(3) {
+            corners[2] = corners[1];
+        }
+        let [a, b] = [0, 2].map(|corner: usize| DVec3::from(mesh.positions[corner].map(f64::from)));
+        let between = mesh.positions.len() as u32;
+        mesh.positions.push((0.25 * a + 0.75 * b).as_vec3().to_array());
+        mesh.normals.push(mesh.normals[0]);
+        mesh.uvs.push([0.0; 2]);
+        mesh.tangents.push(mesh.tangents[0]);
+        mesh.indices.extend([0, between, 2]);
+        mesh.parts[0].indices.end += 3;
+        mesh
+    };
+    // Two faces in one plane, which is each the other's back.
+    let doubled = {
+        let mut mesh = box_of_12();
+        let turned: Vec<u32> =
+            mesh.indices.chunks_exact(3).flat_map(|c| [c[0], c[2], c[1]]).collect();
+        mesh.indices.extend(turned);
+        mesh.parts[0].indices.end *= 2;
+        mesh
+    };
     let on_the_floor = DMat4::from_rotation_x(-std::f64::consts::FRAC_PI_2);
     let sun = TestLight::Sun(DVec3::Y);
     let cube = box_of_12;
@@ -637,6 +710,14 @@ fn hard_cases_of_rays_stay_shadows() {
         ("a mirrored object", sun, (cube(), mirrored), Some(true)),
         ("an object without a height", sun, (cube(), flat), None),
         ("a needle", sun, (cube(), needle), None),
+        ("triangles of no area", sun, (splinters, mirrored), Some(false)),
+        ("faces in one plane", sun, (doubled, mirrored), Some(true)),
+        (
+            "a spot in the thing",
+            TestLight::Spot(DVec3::new(0.0, UNSEEN, 0.0), -DVec3::Y),
+            (cube(), mirrored),
+            Some(true),
+        ),
         ("a card on the floor", sun, (shape("plane").0, on_the_floor), Some(false)),
         (
             "a lamp in the thing",
@@ -661,4 +742,26 @@ fn hard_cases_of_rays_stay_shadows() {
             }
         }
     }
+}
+
+/// A mirrored body in a mirrored light has the mirrored shadow on itself: its triangles run the
+/// other way around, and own facets are known all the same.
+#[test]
+fn a_mirrored_body_has_its_shadow_mirrored() {
+    let shadow = |side: f64| {
+        let (creature, fitted) = shape("creature");
+        let placed = DMat4::from_scale(DVec3::new(side, 1.0, 1.0)) * fitted;
+        let light = TestLight::Sun(DVec3::new(0.8 * side, 0.6, 0.3));
+        let camera = Camera { eye: [0.0, 0.0, 4.0], ..Camera::default() };
+        let look = shown("self_shadow", "shadow", light, &json!({}));
+        on_gpu(&scene_of(vec![(look, creature, placed)], Scene { camera, ..from_above(EYE) }))
+    };
+    let (plain, mirrored) = (shadow(1.0), shadow(-1.0));
+    let side = SIZE as usize;
+    let opposite = |pixel: usize| mirrored[pixel / side * side + (side - 1 - pixel % side)];
+    let dark = plain.iter().filter(|x| **x > 0.9).count();
+    assert!(dark > 200, "{dark} pixels in shadow");
+    // At edges and outlines a rounding decides.
+    let far = plain.iter().enumerate().filter(|(at, x)| (opposite(*at) - **x).abs() > 0.1).count();
+    assert!(far * 50 < dark, "{far} pixels differ, of {dark} in shadow");
 }
