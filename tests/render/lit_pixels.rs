@@ -37,7 +37,7 @@ fn for_each(lights: &Json, set: &str) -> SetupLook {
 }
 
 /// A wall that looks toward +z, a little to the right of the origin, seen from the front.
-fn wall(look: SetupLook, scene: Json) -> Setup {
+fn wall(look: SetupLook, scene: &Json) -> Setup {
     let loaded = Scene::read(&scene.to_string(), "scene.json");
     let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
@@ -84,7 +84,7 @@ fn what_arrives_follows_the_distance_and_the_cone() {
     };
     let lights = json!({"lamp": lamp("point"), "spot": lamp("spot"),
         "sun": {"space": "world", "direction": [0, 3, 4], "color": color}});
-    let (found, surface) = accounts(&wall(for_each(&lights, "*"), json!({})), 0.0);
+    let (found, surface) = accounts(&wall(for_each(&lights, "*"), &json!({})), 0.0);
     let toward = place - surface.point.position;
     let distance = toward.length();
     let faded = 1.0 / (1.0 + (distance / half).powi(2));
@@ -119,7 +119,7 @@ fn groups_that_run_for_each_light_are_told_apart() {
         };
         lights.insert(format!("light_{number}"), light);
     }
-    let setup = wall(for_each(&Json::Object(lights.clone()), "* - light_7"), json!({}));
+    let setup = wall(for_each(&Json::Object(lights.clone()), "* - light_7"), &json!({}));
     let loops = |mut planner: Planner| planned(&mut planner, &setup, 0.0).draws[0].look.loops.len();
     assert!(loops(Planner::for_truth(Assets::default())) > 0, "a loop without a probe");
     assert_eq!(loops(Planner::for_probes(Assets::default())), 0);
@@ -136,7 +136,7 @@ fn groups_that_run_for_each_light_are_told_apart() {
                 {"id": "tone", "kind": "profile"}, {"id": "output", "kind": "output"}],
             "wires": [{"from": "lamp", "to": "angle.light"}, {"from": "angle", "to": "tone.angle"},
                 {"from": "tone", "to": "output.color"}]}));
-        let (alone, _) = accounts(&wall(alone, json!({})), 0.0);
+        let (alone, _) = accounts(&wall(alone, &json!({})), 0.0);
         let wanted = alone[&id].readings[0].value;
         assert!(wanted > 0.0 && (of_each[0].value - wanted).abs() < 1e-9, "{id}: {of_each:?}");
     }
@@ -162,7 +162,7 @@ fn keyed_lights_are_told_as_they_are_at_the_moment() {
         "direction_keys": [{"by": {"drivers": ["distance"]}, "keys": [
             {"at": [from_eye - 1.0], "values": {"lights.rim.intensity": 0}},
             {"at": [from_eye + 1.0], "values": {"lights.rim.intensity": 8}}]}]});
-    let setup = wall(worn, scene);
+    let setup = wall(worn, &scene);
     for time in [0.0, 1.0] {
         let (found, _) = accounts(&setup, time);
         let key = &found["key"];

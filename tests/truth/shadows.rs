@@ -156,7 +156,6 @@ fn first_met(origin: DVec3, light: TestLight, blockers: &[[DVec3; 3]]) -> Option
 }
 
 /// Triangles with the box around each one's shadow on the floor, by x and z.
-#[derive(Default)]
 struct FloorShadows(Vec<([DVec2; 2], [DVec3; 3])>);
 
 impl FloorShadows {
