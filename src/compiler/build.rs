@@ -15,7 +15,7 @@ fn main() {
         Table {
             name: "EXAMPLES",
             base: "examples",
-            folders: &["looks", "hcbtf", "images", "scenes"],
+            folders: &["looks", "shadows", "hcbtf", "images", "scenes"],
             extensions: &["json", "hcbtf", "png"],
             content: Content::Bytes,
             order: Some("order.txt"),

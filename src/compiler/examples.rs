@@ -38,7 +38,7 @@ pub fn file(path: &Path) -> Option<&'static [u8]> {
 pub fn text(path: &Path) -> Option<String> {
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
-    for folder in ["looks", "hcbtf", "images"] {
+    for folder in ["looks", "shadows", "hcbtf", "images"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
     // References to files beside a document, such as images.

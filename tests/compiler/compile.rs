@@ -12,8 +12,8 @@ use chiaro_compiler::library::Library;
 use crate::support;
 
 fn looks() -> Vec<PathBuf> {
-    let folders =
-        ["looks", "images", "hcbtf"].map(|name| support::root().join("examples").join(name));
+    let folders = ["looks", "shadows", "images", "hcbtf"]
+        .map(|name| support::root().join("examples").join(name));
     let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));

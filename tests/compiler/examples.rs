@@ -9,7 +9,7 @@ use chiaro_compiler::examples::{PREFIX, file, names};
 fn every_example_is_there_as_it_lies_in_the_source() {
     let root = crate::support::root().join("examples");
     let mut found = BTreeSet::new();
-    for folder in ["looks", "hcbtf", "scenes", "images"] {
+    for folder in ["looks", "shadows", "hcbtf", "scenes", "images"] {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {
             let name = format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap());
             let path = Path::new("somewhere/else").join(format!("{PREFIX}{name}"));

@@ -105,7 +105,7 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
             .collect::<Vec<_>>()
     };
     let mut count = 0;
-    for path in [files("looks"), files("images"), files("hcbtf")].concat() {
+    for path in [files("looks"), files("shadows"), files("images"), files("hcbtf")].concat() {
         let name = Look::load(&chiaro::files::Disk, &path).value.unwrap().name;
         let is_figure = path.file_stem().unwrap().to_string_lossy().starts_with("figure");
         let figure = if is_figure { " · Figure" } else { "" };

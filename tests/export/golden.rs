@@ -142,6 +142,29 @@ fn golden_outputs_are_what_is_exported() {
     assert!(complaints.is_empty(), "{}\n{how}", complaints.join("\n"));
 }
 
+/// An export has no scene to send rays past: each look of `examples/shadows` is refused, and the
+/// nodes that send rays are named.
+#[test]
+fn looks_that_send_rays_are_refused() {
+    let looks = files::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/shadows"));
+    assert!(!looks.is_empty(), "the looks that send rays are gone");
+    for path in looks {
+        let name = path.display().to_string();
+        let look = read_look(&fs::read_to_string(&path).expect("an example"), &name);
+        let assets = (Path::new(""), &mut Assets::default());
+        let refused = export(&look, Library::built_in(), "a", &LANGUAGES, assets);
+        let problems = refused.map(|_| ()).expect_err(&name);
+        for problem in problems {
+            assert_eq!(problem.code, "export-casters", "{name}: {problem}");
+            let node = problem.place.node.as_ref().expect("a node is named").to_string();
+            let outer = node.split('/').next().unwrap_or_default();
+            let is_there = look.graph.nodes.keys().any(|id| id.to_string() == outer);
+            assert!(is_there, "{name} has no node {outer}");
+            assert!(!problem.hints.is_empty(), "{name}: what to do is told");
+        }
+    }
+}
+
 /// The description tells whose GLSL a file is: OpenGL and Vulkan take different texts that both say
 /// 450.
 #[test]

@@ -218,8 +218,8 @@ fn gallery(list: &List) -> Result<f64, String> {
 #[test]
 fn every_example_is_shown() {
     let list = list::list(&Disk, &[root().join("examples")]).unwrap();
-    let examples =
-        ["looks", "hcbtf", "images", "scenes"].map(|name| root().join("examples").join(name));
+    let examples = ["looks", "shadows", "hcbtf", "images", "scenes"]
+        .map(|name| root().join("examples").join(name));
     let files: Vec<PathBuf> =
         examples.iter().flat_map(|folder| support::files::below(folder)).collect();
     let documents: HashSet<PathBuf> =
@@ -230,9 +230,12 @@ fn every_example_is_shown() {
     // scene's objects.
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
     let scenes: String =
-        shown.iter().filter(|path| path.starts_with(&examples[3])).map(text).collect();
+        shown.iter().filter(|path| path.starts_with(&examples[4])).map(text).collect();
     let is_worn = |path: &Path| {
-        scenes.contains(&format!("\"../looks/{}\"", path.file_name().unwrap().display()))
+        let name = path.file_name().unwrap().display();
+        ["looks", "shadows"]
+            .iter()
+            .any(|folder| scenes.contains(&format!("\"../{folder}/{name}\"")))
     };
     let missing: Vec<_> =
         documents.iter().filter(|path| !shown.contains(path) && !is_worn(path)).collect();
