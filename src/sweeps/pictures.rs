@@ -40,7 +40,11 @@ pub(super) fn looks_part(report: &AccuracyReport, text: &mut String, plots: &str
          Looks that read pictures or painted textures (`examples/images`, `examples/hcbtf`) are \
          not among these, as a sampler's\n\
          filter of eight bits is no formula: how far each is from the truth is on its page of the \
-         [gallery](gallery/index.html).\n\n\
+         [gallery](gallery/index.html).\n\
+         Nor are looks that send rays (`examples/shadows`): alone they cast shadows on themselves \
+         at most, and the f64 walk\n\
+         takes minutes. Their shadows are held against rays of an f64 walk of its own in \
+         [truth/shadows](../tests/truth/shadows.rs).\n\n\
          ![The largest error of each look]({plots}/looks.svg)\n\n\
          {EXACT_HEAD}",
         small(bound.rms),

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use chiaro_compiler::examples::{PREFIX, file, names};
+use serde_json::Value as Json;
 
 #[test]
 fn every_example_is_there_as_it_lies_in_the_source() {
@@ -18,4 +19,24 @@ fn every_example_is_there_as_it_lies_in_the_source() {
         }
     }
     assert_eq!(found, names().map(str::to_owned).collect());
+}
+
+/// The three acts of the lit room are one scene: nothing but what they are called and the masters
+/// of its groups of lights differs.
+#[test]
+fn the_acts_of_the_lit_room_differ_by_the_mixer_alone() {
+    let scenes = ["day", "dusk", "night"].map(|act| {
+        let path = format!("examples/scenes/lit-room-{act}.json");
+        let text = std::fs::read_to_string(crate::support::root().join(path)).unwrap();
+        let mut scene: Json = serde_json::from_str(&text).unwrap();
+        let fields = scene.as_object_mut().unwrap();
+        let masters = fields.remove("light_groups").unwrap();
+        for told in ["name", "about"] {
+            fields.remove(told).unwrap();
+        }
+        (scene, masters)
+    });
+    let [(day, bright), (dusk, red), (night, dark)] = &scenes;
+    assert!(day == dusk && dusk == night, "the acts are scenes of their own");
+    assert!(bright != red && red != dark && dark != bright, "two acts are one");
 }
