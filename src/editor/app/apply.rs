@@ -28,6 +28,7 @@ fn keeps_message(command: &Command) -> bool {
     use PaintCommand as P;
     match command {
         Command::Select(_)
+        | Command::ChooseLight(_)
         | Command::Reveal(_)
         | Command::Show(_)
         | Command::OpenGraph(_)
@@ -123,6 +124,7 @@ impl App {
             }
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
+            Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {
                 for command in self.bench.links.link_pointed(&self.session, is_linked) {
                     self.carry_out(ui, command);

@@ -22,7 +22,7 @@ use std::path::PathBuf;
 use eframe::egui;
 
 use crate::document::Edit;
-use crate::ids::{DefinitionId, NodeId, NodePath};
+use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
@@ -102,6 +102,8 @@ pub(crate) enum Command {
     ShowReference(Option<PathBuf>),
     /// Shows layers or lights alone, or leaves lights out; the document is unchanged.
     Solo(Solo),
+    /// Chooses the light that handles, placing and looking through are of.
+    ChooseLight(LightId),
     /// Links the lights that are selected in the links' pane to the object under the pointer, or
     /// with `false` unlinks them.
     LinkPointed(bool),

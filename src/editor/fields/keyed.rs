@@ -9,19 +9,19 @@ use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use super::marks::{self, FieldTarget};
 use crate::commands::Command;
 use crate::document::{DirectionKeys, KeyDirection, Value};
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::library::Type;
-use crate::state::keying::{KeyedBy, said};
-use crate::state::session::Session;
+use crate::state::keying::{KeyedBy, KeyedLook, said};
 use crate::values;
 use crate::widgets::color;
 use crate::widgets::theme;
 
 /// Shows these lines below a value, if keys move it.
 pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
-    match marked.session.keys().keyed_by(&marked.target) {
+    match marked.owned.keys.keyed_by(&marked.target) {
         KeyedBy::Nothing => {}
         KeyedBy::Direction(set) => by_direction(ui, marked, set, out),
-        KeyedBy::Time(track) => in_time(ui, marked.session, track),
+        KeyedBy::Time(track) => in_time(ui, marked.owned, track),
     }
 }
 
@@ -40,21 +40,21 @@ fn quiet(ui: &Ui, text: impl Into<String>) -> RichText {
 }
 
 fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec<Command>) {
-    let session = marked.session;
-    let Some(keys) = session.look().direction_keys.get(set) else { return };
-    let Some(port) = session.look_with_library().port_at(&marked.target) else { return };
+    let keyed = marked.owned.keys;
+    let Some(keys) = marked.owned.look().direction_keys.get(set) else { return };
+    let Some(port) = keyed.base.port_at(&marked.target) else { return };
     let said_of = |value: &Value| match shown_color(marked, value) {
         Some(color) => values::hex(color),
         None => values::short(&port, value),
     };
     line(ui, |ui| {
-        if let Some(now) = session.keys().value_now(&marked.target) {
+        if let Some(now) = keyed.value_now(&marked.target) {
             chip(ui, marked, &now);
             ui.label(
                 RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text),
             );
         }
-        let text = decided_by(session, set, keys);
+        let text = decided_by(keyed, set, keys);
         ui.label(quiet(ui, text))
             .on_hover_text("What decides between the keys, and where that is now");
     });
@@ -71,7 +71,7 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
 
 /// A color as shown; `None` for a value that is no color.
 fn shown_color(marked: &FieldTarget<'_>, value: &Value) -> Option<[f64; 4]> {
-    let space = marked.session.look().color_space;
+    let space = marked.owned.session.look().color_space;
     let is_color = matches!(marked.ty, Type::Color | Type::Composite);
     Some(color::encoded(value.color_in(space).filter(|_| is_color)?, space))
 }
@@ -85,17 +85,16 @@ fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
 }
 
 /// Text on what decides between the keys of a set, with its present value where that is a number.
-fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
+fn decided_by(keyed: KeyedLook<'_>, set: usize, keys: &DirectionKeys) -> String {
     match &keys.by {
         KeyDirection::View => "by the view".to_owned(),
         KeyDirection::Light(light) => {
-            format!("by the light \"{}\"", session.look_with_library().light_name(light))
+            format!("by the light \"{}\"", keyed.base.light_name(light))
         }
         KeyDirection::Drivers(drivers) => {
-            let now =
-                session.keys().decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
+            let now = keyed.decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
             let each = drivers.iter().zip(now).map(|(driver, now)| {
-                let name = session.keys().driver_name(driver);
+                let name = keyed.driver_name(driver);
                 format!("{name} is {}", said(driver, now))
             });
             format!("while {}", each.collect::<Vec<_>>().join(", "))
@@ -113,14 +112,16 @@ fn one_key(
     value: Option<String>,
     out: &mut Vec<Command>,
 ) {
-    let session = marked.session;
-    let is_it = session.keys().key_at(set) == index;
+    let OwnedKeys { session, owner, keys: keyed } = marked.owned;
+    let is_it = keyed.key_at(set) == index;
     let text = RichText::new(format!("Key {}", index + 1)).small().color(theme::of(ui).hue(index));
     let button = ui.add(Button::selectable(is_it, text).small());
     let name = format!("Set {} at key {}", marked.label, index + 1);
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, name.clone()));
-    let held = session.selection.key == Some((set, index));
-    if button.clicked() {
+    // The key that is selected by hand is one of the look's.
+    let is_of_look = owner == Owner::Look;
+    let held = is_of_look && session.selection.key == Some((set, index));
+    if button.clicked() && is_of_look {
         out.push(Command::SelectKey((!held).then_some((set, index))));
     }
     button.on_hover_ui(|ui| {
@@ -128,34 +129,38 @@ fn one_key(
             KeyDirection::Drivers(drivers) => {
                 let each = drivers.iter().zip(keys.keys[index].direction);
                 let each = each.map(|(driver, at)| {
-                    format!("{}: {}", session.keys().driver_name(driver), said(driver, at))
+                    format!("{}: {}", keyed.driver_name(driver), said(driver, at))
                 });
                 format!(" ({})", each.collect::<Vec<_>>().join(", "))
             }
             KeyDirection::View | KeyDirection::Light(_) => String::new(),
         };
         let value = value.unwrap_or_else(|| "the look's own value".to_owned());
-        let weight = session.keys().key_weights(set).get(index).copied().unwrap_or(0.0);
+        let weight = keyed.key_weights(set).get(index).copied().unwrap_or(0.0);
         ui.label(format!(
             "{value} at key {}{place}, which counts {:.0}% now.",
             index + 1,
             weight * 100.0
         ));
-        let help =
-            if held { "Press to follow the heaviest key again" } else { "Press to set this key" };
+        let help = match (is_of_look, held) {
+            (false, _) => "Values are set at the heaviest key of a scene",
+            (true, true) => "Press to follow the heaviest key again",
+            (true, false) => "Press to set this key",
+        };
         ui.label(quiet(ui, help));
     });
 }
 
-fn in_time(ui: &mut Ui, session: &Session, track: usize) {
-    let Some(track) = session.look().time_keys.get(track) else { return };
-    let here = track.keys.iter().position(|key| (key.time - session.view.time).abs() < 1e-6);
+fn in_time(ui: &mut Ui, owned: OwnedKeys<'_>, track: usize) {
+    let Some(track) = owned.look().time_keys.get(track) else { return };
+    let now = owned.session.view.time;
+    let here = track.keys.iter().position(|key| (key.time - now).abs() < 1e-6);
     let count = track.keys.len();
     let what = match here {
         Some(key) => format!("sets key {} of {count}", key + 1),
         None => format!("setting it adds a key to {count}"),
     };
-    let text = format!("At {} s: {what}", values::number_text(session.view.time, 2));
+    let text = format!("At {} s: {what}", values::number_text(now, 2));
     line(ui, |ui| {
         ui.label(quiet(ui, text)).on_hover_text("The value above is the one at the playhead");
     });

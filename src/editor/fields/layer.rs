@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use crate::catalog::NodeKind;
 use crate::document::{Graph, Node, Target, Value};
+use crate::fields::lighting::light_in_view;
 use crate::ids::{LightId, NodeId};
 use crate::library::Type;
 use crate::placing::Parametrization;
@@ -214,6 +215,15 @@ pub(crate) fn selected(session: &Session) -> Option<SelectedLayer> {
 /// Selected light: that of a layer, or that of a Light node.
 pub(crate) fn selected_light(session: &Session) -> Option<LightId> {
     NodeInGraph::of(session, session.selection.nodes.last()?)?.light()
+}
+
+/// The light that handles, placing and looking through are of: the one that was chosen, or else
+/// that of the selected layer or node.
+pub(crate) fn light_at_hand(session: &Session) -> Option<LightId> {
+    let chosen = session.selection.light.as_ref();
+    let chosen = chosen.filter(|id| light_in_view(session, id).is_some()).cloned();
+    let of_layer = || selected(session).map(|layer| layer.light);
+    chosen.or_else(of_layer).or_else(|| selected_light(session))
 }
 
 /// Layers of the open graph that a light feeds, the selected one first.

@@ -8,7 +8,7 @@ use crate::commands::{Command, SceneCommand};
 use crate::document::{Edit, Light, LightField, Look, SceneEdit, Target, Value};
 use crate::frame::set_light_field;
 use crate::ids::{LightId, make_slug};
-use crate::state::keying::KeyedBy;
+use crate::state::keying::{KeyedBy, KeyedLook, scene_edit};
 use crate::state::reading::light_name;
 use crate::state::session::Session;
 
@@ -59,6 +59,41 @@ impl Change {
     }
 }
 
+/// Keys of a document in view, with the commands that change them.
+#[derive(Clone, Copy)]
+pub(crate) struct OwnedKeys<'s> {
+    pub(crate) session: &'s Session,
+    pub(crate) owner: Owner,
+    pub(crate) keys: KeyedLook<'s>,
+}
+
+impl<'s> OwnedKeys<'s> {
+    /// The keys of a document; `None` for those of a scene where there is none.
+    pub(crate) fn of(session: &'s Session, owner: Owner) -> Option<Self> {
+        Some(Self { session, owner, keys: owner.keys(session)? })
+    }
+
+    /// The keys of the open look.
+    pub(crate) fn of_look(session: &'s Session) -> Self {
+        Self { session, owner: Owner::Look, keys: session.keys() }
+    }
+
+    /// The look that has the keys: the open one, or one of nothing but the scene's lights.
+    pub(crate) fn look(self) -> &'s Look {
+        self.keys.base.look
+    }
+
+    /// An edit of that look as an undo step of its own.
+    pub(crate) fn once(self, edit: Edit) -> Option<Command> {
+        self.owner.change(self.session, edit).map(Change::once)
+    }
+
+    /// An edit of that look as part of the step that goes on for as long as a widget is held.
+    pub(crate) fn held(self, widget: egui::Id, edit: Edit) -> Option<Command> {
+        self.owner.change(self.session, edit).map(|change| change.held(widget))
+    }
+}
+
 impl Owner {
     /// Lights of the look, or those of the scene, if there is one.
     pub(crate) fn lights(self, session: &Session) -> Option<&IndexMap<LightId, Light>> {
@@ -66,6 +101,32 @@ impl Owner {
             Self::Look => Some(&session.look().lights),
             Self::Scene => session.open_scene().map(|open_scene| &open_scene.scene().lights),
         }
+    }
+
+    /// Keys that move lights of the document.
+    pub(crate) fn keys(self, session: &Session) -> Option<KeyedLook<'_>> {
+        match self {
+            Self::Look => Some(session.keys()),
+            Self::Scene => session.keys().of_scene(),
+        }
+    }
+
+    /// The edit of the document that does what an edit of the look of its [`keys`](Self::keys)
+    /// does; `None` where nothing changes.
+    pub(crate) fn change(self, session: &Session, edit: Edit) -> Option<Change> {
+        match self {
+            Self::Look => Some(Change::Look(edit)),
+            Self::Scene => scene_edit(session.open_scene()?.scene(), edit).map(Change::Scene),
+        }
+    }
+
+    /// Document whose keys move a field of a light: the scene's stand over the look's.
+    pub(crate) fn of_keys(session: &Session, target: &Target) -> Option<Self> {
+        let moves = |owner: &Self| {
+            let keys = owner.keys(session);
+            keys.is_some_and(|keys| keys.keyed_by(target) != KeyedBy::Nothing)
+        };
+        [Self::Scene, Self::Look].into_iter().find(moves)
     }
 
     /// An id that no other light of the same document has.
@@ -106,13 +167,11 @@ impl<'s> OwnedLight<'s> {
     /// The light with its keyed fields as they are at the keys where they are set.
     pub(crate) fn as_set(&self, session: &Session) -> Light {
         let mut shown = self.light.clone();
-        if self.owner == Owner::Scene {
-            return shown;
-        }
+        let Some(keys) = self.owner.keys(session) else { return shown };
         for field in LightField::ALL {
             let target = self.target(field.name());
-            if session.keys().keyed_by(&target) != KeyedBy::Nothing
-                && let Some(value) = session.keys().value_at(&target)
+            if keys.keyed_by(&target) != KeyedBy::Nothing
+                && let Some(value) = keys.value_at(&target)
             {
                 set_light_field(&mut shown, field.name(), &value);
             }
@@ -128,16 +187,15 @@ impl<'s> OwnedLight<'s> {
     /// The edit from one state of the light to another: a keyed field is set at its key, all others
     /// in the light.
     pub(crate) fn changed(&self, session: &Session, old: &Light, new: &Light) -> Change {
-        if self.owner == Owner::Scene {
-            return self.set(new.clone());
-        }
         let differs = |field: &LightField| field.get(old) != field.get(new);
         let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
         let is_about =
             |light: &Light| (light.kind, light.space, light.groups.clone(), light.aimed_at.clone());
         if is_about(new) == is_about(old) && !fields.is_empty() {
             let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
-            return Change::Look(session.keys().set_all_at(values));
+            let edit = self.owner.keys(session).map(|keys| keys.set_all_at(values));
+            let change = edit.and_then(|edit| self.owner.change(session, edit));
+            return change.unwrap_or_else(|| self.set(new.clone()));
         }
         let (kind, space, groups, aimed_at) = is_about(new);
         self.set(Light { kind, space, groups, aimed_at, ..self.light.clone() })
@@ -193,17 +251,20 @@ impl<'s> OwnedLight<'s> {
 /// document that the light belongs to.
 pub(crate) fn set_light_at(session: &Session, id: &LightId, field: &str, value: Value) -> Change {
     let target = Target::Light { light: id.clone(), field: field.to_owned() };
-    match session
-        .keys()
-        .light_of_scene(id)
-        .filter(|_| session.keys().keyed_by(&target) == KeyedBy::Nothing)
-    {
-        Some(light) => {
+    let of_scene = session.keys().light_of_scene(id);
+    match (Owner::of_keys(session, &target), of_scene) {
+        (Some(Owner::Scene), _) => {
+            let keys = Owner::Scene.keys(session);
+            let edit = keys.map(|keys| keys.set_at(&target, value));
+            let change = edit.and_then(|edit| Owner::Scene.change(session, edit));
+            change.unwrap_or(Change::Scene(SceneEdit::Group { edits: Vec::new() }))
+        }
+        (None, Some(light)) => {
             let mut light = light.clone();
             set_light_field(&mut light, field, &value);
             Change::Scene(SceneEdit::SetLight { id: id.clone(), light })
         }
-        None => Change::Look(session.keys().set_at(&target, value)),
+        _ => Change::Look(session.keys().set_at(&target, value)),
     }
 }
 
@@ -215,19 +276,16 @@ pub(crate) fn set_light_like(session: &Session, id: &LightId, new: &Light) -> Op
     let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
     let target =
         |field: LightField| Target::Light { light: id.clone(), field: field.name().to_owned() };
-    let is_keyed =
-        |field: &LightField| session.keys().keyed_by(&target(*field)) != KeyedBy::Nothing;
+    let owner_of = |field: &LightField| Owner::of_keys(session, &target(*field));
     if fields.is_empty() {
         return None;
     }
-    let of_scene = Owner::Scene.lights(session).and_then(|lights| lights.get(id));
-    if let Some(own) = of_scene.filter(|_| !fields.iter().any(is_keyed)) {
-        let mut light = own.clone();
-        fields.iter().for_each(|field| field.set(&mut light, field.numbers(new)));
-        return Some(Change::Scene(SceneEdit::SetLight { id: id.clone(), light }));
-    }
+    let is_of_scene = session.keys().light_of_scene(id).is_some();
+    let is_keyed_by_look = fields.iter().any(|field| owner_of(field) == Some(Owner::Look));
+    let owner = if is_of_scene && !is_keyed_by_look { Owner::Scene } else { Owner::Look };
     let values = fields.into_iter().map(|field| (target(field), field.get(new)));
-    Some(Change::Look(session.keys().set_all_at(values)))
+    let edit = owner.keys(session)?.set_all_at(values);
+    owner.change(session, edit)
 }
 
 /// The light of an id with its present values, of the look or of the scene around it.

@@ -6,35 +6,30 @@ use eframe::egui::{
 };
 
 use crate::document::Target;
-use crate::state::keying::KeyedBy;
-use crate::state::session::Session;
+use crate::state::keying::{KeyedBy, KeyedLook};
 use crate::widgets::theme;
 
 /// Colors of a target's mark: within it, and along its edge.
-pub(crate) fn inks(ui: &Ui, session: &Session, target: &Target) -> (Color32, Color32) {
+pub(crate) fn inks(ui: &Ui, keys: KeyedLook<'_>, target: &Target) -> (Color32, Color32) {
     let colors = theme::of(ui);
-    match session.keys().keyed_by(target) {
+    match keys.keyed_by(target) {
         KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7)),
         KeyedBy::Direction(set) => {
-            let key = session.keys().key_at(set);
+            let key = keys.key_at(set);
             (colors.hue(key), colors.hue(key))
         }
         KeyedBy::Time(track) => {
-            let keys = session
-                .look()
-                .time_keys
-                .get(track)
-                .map(|track| track.keys.as_slice())
-                .unwrap_or_default();
-            let is_here = keys.iter().any(|key| (key.time - session.view.time).abs() < 1e-6);
+            let track = keys.base.look.time_keys.get(track);
+            let of_track = track.map(|track| track.keys.as_slice()).unwrap_or_default();
+            let is_here = of_track.iter().any(|key| (key.time - keys.view.time).abs() < 1e-6);
             (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent)
         }
     }
 }
 
 /// Shows the mark of a target, to be pressed.
-pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
-    let (fill, edge) = inks(ui, session, target);
+pub(crate) fn of(ui: &mut Ui, keys: KeyedLook<'_>, target: &Target, name: &str) -> Response {
+    let (fill, edge) = inks(ui, keys, target);
     let (rect, response) =
         ui.allocate_exact_size(vec2(16.0, ui.spacing().interact_size.y), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
@@ -45,19 +40,15 @@ pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) ->
 }
 
 /// Explanation of what moves a target.
-pub(crate) fn help(session: &Session, target: &Target) -> String {
-    match session.keys().keyed_by(target) {
+pub(crate) fn help(keys: KeyedLook<'_>, target: &Target) -> String {
+    match keys.keyed_by(target) {
         KeyedBy::Nothing => {
             "Nothing moves this value. Press to key it by a direction or in time.".to_owned()
         }
         KeyedBy::Direction(set) => {
-            let name = session
-                .look()
-                .direction_keys
-                .get(set)
-                .map(|keys| keys.name.as_str())
-                .unwrap_or_default();
-            let key = session.keys().key_at(set) + 1;
+            let of_set = keys.base.look.direction_keys.get(set);
+            let name = of_set.map(|keys| keys.name.as_str()).unwrap_or_default();
+            let key = keys.key_at(set) + 1;
             format!("Moved by the direction keys \"{name}\": this is its value at key {key}.")
         }
         KeyedBy::Time(_) => {

@@ -7,6 +7,7 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 use super::row;
 use crate::commands::{Command, PanelId};
 use crate::document::{Edit, ExposedValue, KeyDirection, Target};
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
@@ -16,7 +17,7 @@ use crate::widgets::theme;
 
 /// Value with a mark: its target and type, and the edit that resets it to its default.
 pub(crate) struct FieldTarget<'a> {
-    pub(crate) session: &'a Session,
+    pub(crate) owned: OwnedKeys<'a>,
     pub(crate) target: Target,
     pub(crate) ty: &'a Type,
     pub(crate) label: &'a str,
@@ -25,23 +26,22 @@ pub(crate) struct FieldTarget<'a> {
 
 impl FieldTarget<'_> {
     fn can_be_keyed(&self) -> bool {
-        changes_in_time(self.ty)
-            && self.session.look_with_library().own_value(&self.target).is_some()
+        changes_in_time(self.ty) && self.owned.keys.base.own_value(&self.target).is_some()
     }
 
     /// Index of the value's exposed parameter.
     pub(crate) fn exposed(&self) -> Option<usize> {
-        self.session.look().exposed.iter().position(|exposed| exposed.target == self.target)
+        self.owned.look().exposed.iter().position(|exposed| exposed.target == self.target)
     }
 
     /// Lines that are added to the value's help.
     pub(crate) fn help(&self) -> String {
         let mut lines = Vec::new();
-        if self.session.keys().keyed_by(&self.target) != KeyedBy::Nothing {
-            lines.push(mark::help(self.session, &self.target));
+        if self.owned.keys.keyed_by(&self.target) != KeyedBy::Nothing {
+            lines.push(mark::help(self.owned.keys, &self.target));
         }
         if let Some(exposed) =
-            self.exposed().and_then(|index| self.session.look().exposed.get(index))
+            self.exposed().and_then(|index| self.owned.look().exposed.get(index))
         {
             lines.push(format!("Exposed as \"{}\".", exposed.name));
         }
@@ -61,9 +61,9 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
         return;
     };
     let name = format!("Keys of {}", marked.label);
-    let response = mark::of(ui, marked.session, &marked.target, &name);
+    let response = mark::of(ui, marked.owned.keys, &marked.target, &name);
     egui::Popup::menu(&response).show(|ui| menu(ui, marked, out));
-    response.on_hover_text(mark::help(marked.session, &marked.target));
+    response.on_hover_text(mark::help(marked.owned.keys, &marked.target));
 }
 
 /// Shows all entries of the menu.
@@ -74,15 +74,18 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         if has_between(marked.ty) {
             keys_by_direction(ui, marked, out);
         }
-        let is_keyed = marked.session.keys().keyed_by(&marked.target) != KeyedBy::Nothing;
+        let is_keyed = marked.owned.keys.keyed_by(&marked.target) != KeyedBy::Nothing;
         let help = "No keys move it any more; it keeps the value that it has now";
         if is_keyed && ui.button("Remove its keys").on_hover_text(help).clicked() {
-            out.push(Command::Edit(marked.session.keys().unkey(&marked.target)));
+            out.extend(marked.owned.once(marked.owned.keys.unkey(&marked.target)));
+        }
+        if marked.owned.owner == Owner::Scene {
+            return;
         }
         ui.separator();
     }
     match marked.exposed() {
-        None if marked.session.look_with_library().own_value(&marked.target).is_none() => {
+        None if marked.owned.keys.base.own_value(&marked.target).is_none() => {
             ui.label(RichText::new("Set a value to key or expose it.").color(theme::of(ui).dim));
         }
         None => {
@@ -105,52 +108,66 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
 
 fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let is_timed =
-        marked.session.look().time_keys.iter().any(|track| track.target == marked.target);
+        marked.owned.look().time_keys.iter().any(|track| track.target == marked.target);
     let text = if is_timed { "Key at the playhead" } else { "Key in time" };
     let help =
         "A key at the playhead with the value of now; setting it at another time adds another key";
     if ui.button(text).on_hover_text(help).clicked() {
-        out.extend(marked.session.keys().key_in_time(&marked.target).map(Command::Edit));
+        let edit = marked.owned.keys.key_in_time(&marked.target);
+        out.extend(edit.and_then(|edit| marked.owned.once(edit)));
         out.push(Command::ShowPanel(PanelId::TIMELINE));
     }
 }
 
 fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
-    let session = marked.session;
-    let sets = &session.look().direction_keys;
+    let owned = marked.owned;
+    let (session, keys) = (owned.session, owned.keys);
+    let sets = &owned.look().direction_keys;
+    let is_of_look = owned.owner == Owner::Look;
     for (index, set) in sets.iter().enumerate() {
         let has_it = set.keys.iter().any(|key| key.values.contains_key(&marked.target));
         let help = "Has its present value at every key of this set, until you change it at one";
+        let here = "Adds a key where that is now, with the present values";
+        let adds_here = has_it && !is_of_look;
+        let text = format!("New key in \"{}\"", set.name);
+        if adds_here && ui.button(text).on_hover_text(here).clicked() {
+            out.extend(owned.once(keys.key_here(index)));
+        }
         if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
-            out.extend(session.keys().key_in_set(index, &marked.target).map(Command::Edit));
-            out.push(Command::ShowPanel(PanelId::KEYS));
+            let edit = keys.key_in_set(index, &marked.target);
+            out.extend(edit.and_then(|edit| owned.once(edit)));
+            out.extend(is_of_look.then_some(Command::ShowPanel(PanelId::KEYS)));
         }
     }
-    let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
-    let drivers =
-        session.keys().drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
+    let lights = owned.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+    let drivers = keys.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
     let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
         if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
-            out.push(Command::Edit(session.keys().new_set(by, Some(&marked.target))));
-            out.push(Command::SelectKey(Some((sets.len(), 0))));
-            out.push(Command::ShowPanel(PanelId::KEYS));
+            out.extend(owned.once(keys.new_set(by, Some(&marked.target))));
+            if is_of_look {
+                out.push(Command::SelectKey(Some((sets.len(), 0))));
+                out.push(Command::ShowPanel(PanelId::KEYS));
+            }
         }
     };
     for by in lights.chain([KeyDirection::View]).chain(drivers) {
         let text = match &by {
             KeyDirection::Drivers(drivers) => {
                 let names: Vec<String> =
-                    drivers.iter().map(|driver| session.keys().driver_name(driver)).collect();
+                    drivers.iter().map(|driver| keys.driver_name(driver)).collect();
                 format!("New keys by: {}", names.join(", "))
             }
             KeyDirection::Light(id) => {
-                format!("New keys by the light \"{}\"", session.look_with_library().light_name(id))
+                format!("New keys by the light \"{}\"", keys.base.light_name(id))
             }
             KeyDirection::View => "New keys by the view".to_owned(),
         };
         begin(ui, text, by);
     }
-    let [wires, constant] = session.keys().wires(std::slice::from_ref(&marked.target));
+    if !is_of_look {
+        return;
+    }
+    let [wires, constant] = keys.wires(std::slice::from_ref(&marked.target));
     if wires.is_empty() && constant.is_empty() {
         return;
     }
@@ -169,7 +186,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
 }
 
 fn expose(marked: &FieldTarget<'_>) -> Edit {
-    let session = marked.session;
+    let session = marked.owned.session;
     let [owner, what] = session.look_with_library().names_of(&marked.target);
     let is_taken =
         |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);

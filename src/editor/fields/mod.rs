@@ -8,6 +8,7 @@ pub(crate) mod lighting;
 pub(crate) mod mark;
 pub(crate) mod marks;
 pub(crate) mod mix;
+pub(crate) mod node_links;
 pub(crate) mod row;
 
 use crate::catalog::NodeKind;

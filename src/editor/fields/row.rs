@@ -10,6 +10,7 @@ use crate::catalog::Port;
 use crate::commands::{Command, PaintCommand, PanelId};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, LightSet, Node, Value, Wire};
 use crate::examples::PREFIX;
+use crate::fields::lighting::OwnedKeys;
 use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
 use crate::library::{CUSTOM_CODE, Fallback, Type};
@@ -106,7 +107,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
             _ => {
                 let reset_edit = reset_edit(subject, port);
                 let with_marks = FieldTarget {
-                    session: subject.session,
+                    owned: OwnedKeys::of_look(subject.session),
                     target,
                     ty: &port.ty,
                     label: &port.label,

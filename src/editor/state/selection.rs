@@ -4,7 +4,7 @@
 use indexmap::IndexSet;
 
 use crate::document::{Definition, Edit, Graph, GraphId, OutputPort, Target};
-use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath, PortName};
 use crate::state::reading::LookWithLibrary;
 use crate::state::revision::GraphNumber;
 
@@ -13,6 +13,8 @@ use crate::state::revision::GraphNumber;
 pub struct Selection {
     /// Selected nodes of the open graph, the first one selected last.
     pub(crate) nodes: IndexSet<NodeId>,
+    /// Light that was chosen in a list or by a handle since nodes were last selected.
+    pub(crate) light: Option<LightId>,
     /// The direction key that values are set at: the index of its set, and its index there.
     pub(crate) key: Option<(usize, usize)>,
     /// Nodes of groups that lead to the open graph, outermost first.

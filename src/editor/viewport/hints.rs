@@ -30,10 +30,8 @@ impl Viewport {
             (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
             (None, None) => String::new(),
             (None, Some(at)) if is_on_object(at, rect, session, handles) => {
-                let one = if layer::selected_light(session).is_some()
-                    || layer::selected(session).is_some()
-                {
-                    "Shift-drag turns the layer's light · "
+                let one = if layer::light_at_hand(session).is_some() {
+                    "Shift-drag turns the light at hand · "
                 } else {
                     ""
                 };

@@ -126,15 +126,9 @@ fn number(field: LightField, light: &Light) -> f64 {
     field.numbers(light).first().copied().unwrap_or_default()
 }
 
-/// The light of the selected layer or node.
-fn selected(session: &Session) -> Option<LightId> {
-    let of_layer = layer::selected(session).map(|layer| layer.light);
-    of_layer.or_else(|| layer::selected_light(session))
-}
-
 /// Lamps that shine, and whether each is selected.
 fn lamps(session: &Session) -> impl Iterator<Item = (&LightId, LampInScene<'_>, bool)> {
-    let selected = selected(session);
+    let selected = layer::light_at_hand(session);
     session.keys().shining().filter_map(move |(id, light)| {
         let is_selected = selected.as_ref() == Some(id);
         Some((id, LampInScene::of(light, session)?, is_selected))

@@ -14,7 +14,7 @@ use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Camera, Light, LightKind, LightSpace, Projection};
 use crate::fields::layer;
-use crate::fields::lighting::{OwnedLight, light_in_view, set_light_like};
+use crate::fields::lighting::{OwnedLight, Owner, light_in_view, set_light_like};
 use crate::ids::LightId;
 use crate::state::orbit::Orbit;
 use crate::state::scene::sphere_of_lights;
@@ -37,11 +37,11 @@ pub(super) struct LookThrough {
     values: LightValues,
 }
 
-/// The light that would be looked through: that of the selected layer, or the first.
+/// The light that would be looked through: the one at hand, or the first.
 fn chosen(session: &Session) -> Option<LightId> {
-    let of_layer = layer::selected(session).map(|layer| layer.light);
-    let selected = of_layer.or_else(|| layer::selected_light(session));
-    selected.or_else(|| session.look().lights.keys().next().cloned())
+    let of = |owner: Owner| owner.lights(session).and_then(|lights| lights.keys().next()).cloned();
+    let first = || of(Owner::Look).or_else(|| of(Owner::Scene));
+    layer::light_at_hand(session).or_else(first)
 }
 
 impl LookThrough {

@@ -190,7 +190,11 @@ impl Viewport {
         );
         self.hovered = hovered.as_ref().map(|hovered| hovered.object().clone());
         if response.clicked() && is_free {
-            out.extend(objects::pick(session, handles.surface.as_deref(), hovered.as_ref()));
+            let at = response.interact_pointer_pos().filter(|_| handles.is_on);
+            let light = at.and_then(|at| lights::hit(session, rect, at));
+            let pick =
+                || objects::pick(session, handles.surface.as_deref(), hovered.as_ref());
+            out.extend(light.map(|held| Command::ChooseLight(held.light)).or_else(pick));
         }
         // While the pointer paints, only the other ways to turn the camera remain.
         let is_alt = ui.input(|input| input.modifiers.alt);
@@ -294,7 +298,7 @@ impl Viewport {
     /// Finds the handles of the selection, and brings its lines up to date.
     fn handles(&mut self, rect: Rect, session: &Session, is_on: bool, is_free: bool) -> Handles {
         let layer = layer::selected(session).filter(|_| is_on && is_free);
-        let wants_lines = is_on && (layer.is_some() || layer::selected_light(session).is_some());
+        let wants_lines = is_on && (layer.is_some() || layer::light_at_hand(session).is_some());
         // In a scene the surface is needed in any case, to find the object under the pointer.
         if !(wants_lines || self.has_arrows || session.open_scene().is_some()) || rect.area() < 16.0
         {
@@ -330,15 +334,15 @@ impl Viewport {
         handles: &Handles,
     ) -> Option<Drag> {
         let modifiers = ui.input(|input| input.modifiers);
-        let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
-        let chosen =
-            of_layer.or_else(|| Some((layer::selected_light(session)?, Parametrization::Diffuse)));
-        if let Some((light, shading)) = chosen {
+        if let Some(light) = layer::light_at_hand(session) {
+            let of_layer = handles.layer.as_ref().filter(|layer| layer.light == light);
+            let shading = of_layer.map_or(Parametrization::Diffuse, |layer| layer.shading);
             let is_there =
                 handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             // Shift takes the middle from any point of the object, as it may lie out of sight.
-            if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at)
-            {
+            let is_at_middle =
+                of_layer.is_some() && lights::is_at_middle(self.isocurves.middle(rect), at);
+            if modifiers.shift && is_there || is_at_middle {
                 return Some(Drag::Light(lights::HeldLight::by_middle(light, shading)));
             }
         }
@@ -415,7 +419,12 @@ impl Viewport {
             let grip = (is_primary && !is_alt && handles.is_on)
                 .then(|| self.grip(ui, rect, origin, session, handles));
             self.drag = Some(match grip.flatten() {
-                Some(grip) => grip,
+                Some(grip) => {
+                    if let Drag::Light(held) = &grip {
+                        out.push(Command::ChooseLight(held.light.clone()));
+                    }
+                    grip
+                }
                 None if !is_primary => Drag::Pan,
                 None if !is_alt && is_on_object(origin, rect, session, handles) => Drag::Lights,
                 None => Drag::Camera,

@@ -5,10 +5,11 @@ mod interface;
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::catalog::{NodeKind, Port};
+use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, LightSet, Look, NodeLinks, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::node_links::{is_filter, is_lit};
 use crate::fields::{InspectedNode, marks, row};
 use crate::ids::LightId;
 use crate::library::Type;
@@ -272,13 +273,7 @@ fn link_rows(
     out: &mut Vec<Command>,
 ) {
     let links = &node.links;
-    let names_light = kind.inputs.iter().any(|port| port.ty == Type::LightName);
-    let is_lit = names_light || node.for_each.is_some() || !links.layered_link().is_all();
-    let is_both =
-        |is_it: fn(&Port) -> bool| kind.inputs.iter().any(is_it) && kind.outputs.iter().any(is_it);
-    let is_filter = is_both(|port| port.ty == Type::Light)
-        || is_both(|port| port.name.as_str() == "share")
-        || !links.filtered_link().is_all();
+    let (is_lit, is_filter) = (is_lit(kind, node), is_filter(kind, node));
     let rows = is_lit.then_some(REACH).into_iter().chain(is_filter.then_some(FILTER)).flatten();
     let mut now = links.clone();
     for LinkRow { label, help, set } in rows {

@@ -9,7 +9,7 @@ use crate::commands::{Command, SceneCommand};
 use crate::document::{
     Edit, GroupMaster, Light, LightField, LightKind, LightSet, LightSpace, SceneEdit, Target, Value,
 };
-use crate::fields::lighting::Owner;
+use crate::fields::lighting::{Change, Owner};
 use crate::fields::mix::SceneMix;
 use crate::ids::{LightGroup, LightId};
 use crate::panels::lights::{keep_within, read_groups, space_name};
@@ -34,8 +34,8 @@ pub(super) struct CellChanges<'s> {
     sheet: Sheet<'s>,
     lights: IndexMap<LightId, Light>,
     masters: IndexMap<LightGroup, GroupMaster>,
-    /// Values that keys of the look have.
-    keyed: Vec<(Target, Value)>,
+    /// Values that keys have, with the document of the keys.
+    keyed: Vec<(Owner, Target, Value)>,
     muted: Option<LightSet>,
     soloed: Option<LightSet>,
     solo: Option<Solo>,
@@ -130,10 +130,10 @@ impl<'s> CellChanges<'s> {
         };
         let numbers = new_numbers(sheet, column, &value, entry)?;
         match sheet.keyed(id, field) {
-            Some(target) => {
+            Some((owned, target)) => {
                 let mut set = light.clone();
                 set_field(&mut set, field, &numbers);
-                self.keyed.push((target, field.get(&set)));
+                self.keyed.push((owned.owner, target, field.get(&set)));
             }
             None => set_field(light, field, &numbers),
         }
@@ -222,14 +222,20 @@ impl<'s> CellChanges<'s> {
                 }
             }
         }
-        if !self.keyed.is_empty() {
-            edits.push(self.sheet.session.keys().set_all_at(self.keyed.iter().cloned()));
-        }
+        edits.extend(self.keyed_edit(Owner::Look));
         match edits.len() {
             0 => None,
             1 => edits.pop(),
             _ => Some(Edit::Group { edits }),
         }
+    }
+
+    /// Edit of the keyed values of a document, as of a look of its lights.
+    fn keyed_edit(&self, owner: Owner) -> Option<Edit> {
+        let of_owner = self.keyed.iter().filter(|(of, ..)| *of == owner);
+        let mut values = of_owner.map(|(_, target, value)| (target.clone(), value.clone()));
+        let first = values.next()?;
+        Some(owner.keys(self.sheet.session)?.set_all_at(std::iter::once(first).chain(values)))
     }
 
     fn scene_edit(&self) -> Option<SceneEdit> {
@@ -246,6 +252,11 @@ impl<'s> CellChanges<'s> {
                 }
                 None => {}
             }
+        }
+        let keyed = self.keyed_edit(Owner::Scene);
+        let keyed = keyed.and_then(|edit| Owner::Scene.change(self.sheet.session, edit));
+        if let Some(Change::Scene(edit)) = keyed {
+            edits.push(edit);
         }
         for (group, master) in &self.masters {
             edits.push(SceneMix::mastering(group, master.clone()));

@@ -9,6 +9,7 @@ use super::selection::{Place, ShownCells};
 use super::sheet::{CellValue, Row, Sheet};
 use crate::commands::Command;
 use crate::document::{Edit, Target};
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::KeyedBy;
 use crate::widgets::rows::undo_keys;
 
@@ -141,20 +142,17 @@ impl CellGrid {
         lines.map(|cells| line(cells).join("\t")).collect::<Vec<_>>().join("\n")
     }
 
-    /// Targets of the selected cells that keys of the look can move.
-    pub(super) fn targets(&self, sheet: Sheet<'_>) -> Vec<Target> {
+    /// Targets of the selected cells that keys can move, with those keys.
+    pub(super) fn targets<'s>(&self, sheet: Sheet<'s>) -> Vec<(OwnedKeys<'s>, Target)> {
         let rows = sheet.rows(None, None);
         let mut found = Vec::new();
         for row in &rows {
             let Row::Light(id) = row else { continue };
-            let is_of_scene = sheet.session.keys().light_of_scene(id).is_some();
             for column in Column::all().filter(|column| self.selection.has(&(row.clone(), *column)))
             {
                 let Some(field) = column.field() else { continue };
-                let keyed = sheet.keyed(id, field);
-                let free = sheet.target(id, field).filter(|_| !is_of_scene);
                 let is_there = sheet.cell(row, column).value.is_some();
-                found.extend(keyed.or(free).filter(|_| is_there));
+                found.extend(sheet.target(id, field).filter(|_| is_there));
             }
         }
         found
@@ -162,20 +160,26 @@ impl CellGrid {
 
     /// Command that keys the selected cells at the playhead, as one step.
     pub(super) fn keying(&self, sheet: Sheet<'_>) -> Vec<Command> {
-        let keys = sheet.session.keys();
-        let is_free = |target: &Target| !matches!(keys.keyed_by(target), KeyedBy::Direction(_));
-        let targets: Vec<Target> = self.targets(sheet).into_iter().filter(is_free).collect();
-        let edits: Vec<_> = targets.iter().filter_map(|target| keys.key_in_time(target)).collect();
-        if edits.is_empty() {
-            let text = "None of these cells can be keyed in time: keys move the lights of the open \
-                        look, where no light of the scene stands in their place";
+        let mut targets = self.targets(sheet);
+        targets.retain(|(owned, target)| {
+            !matches!(owned.keys.keyed_by(target), KeyedBy::Direction(_))
+        });
+        let (mut count, mut out) = (0, Vec::new());
+        for owner in [Owner::Look, Owner::Scene] {
+            let of_owner = targets.iter().filter(|(owned, _)| owned.owner == owner);
+            let edits: Vec<Edit> =
+                of_owner.filter_map(|(owned, target)| owned.keys.key_in_time(target)).collect();
+            count += edits.len();
+            let owned = OwnedKeys::of(sheet.session, owner).filter(|_| !edits.is_empty());
+            out.extend(owned.and_then(|owned| owned.once(Edit::Group { edits })));
+        }
+        if count == 0 {
+            let text = "None of these cells can be keyed in time: keys move lights of the scene, \
+                        and of the look that is open";
             return vec![Command::Tell(text.to_owned())];
         }
-        let count = edits.len();
         let are = if count == 1 { "value is" } else { "values are" };
-        vec![
-            Command::Edit(Edit::Group { edits }),
-            Command::Tell(format!("{count} {are} keyed at the playhead")),
-        ]
+        out.push(Command::Tell(format!("{count} {are} keyed at the playhead")));
+        out
     }
 }

@@ -88,10 +88,10 @@ fn keys(
         }
         return;
     }
-    let Some(target) = sheet.target(id, field) else { return };
+    let Some((owned, target)) = sheet.target(id, field) else { return };
     let ty = Type::of_light_field(field);
     let label = field.label();
-    let marked = FieldTarget { session: sheet.session, target, ty: &ty, label, reset: None };
+    let marked = FieldTarget { owned, target, ty: &ty, label, reset: None };
     marks::menu(ui, &marked, out);
 }
 

@@ -92,7 +92,12 @@ impl LightTable {
         }
         let columns: Vec<Column> = Column::all().filter(|column| self.is_shown(*column)).collect();
         let shown = ShownCells { rows: &rows, columns: &columns };
+        let before = self.grid.selection.cursor().map(|(row, _)| row.clone());
         self.grid.show(ui, sheet, shown, &mut out);
+        let now = self.grid.selection.cursor().map(|(row, _)| row.clone());
+        if let Some(Row::Light(id)) = now.filter(|now| Some(now) != before.as_ref()) {
+            out.push(Command::ChooseLight(id));
+        }
         if let Some(column) = self.grid.hidden.take() {
             self.columns.insert(column, false);
         }

@@ -139,8 +139,8 @@ fn note(sheet: Sheet<'_>, row: &Row, column: Column) -> Option<String> {
 /// Paints the diamond of a keyed cell, and takes its room.
 fn keyed_mark(ui: &Ui, sheet: Sheet<'_>, (row, column): &Place, inner: &mut Rect) {
     let (Row::Light(id), Some(field)) = (row, column.field()) else { return };
-    let Some(target) = sheet.target(id, field) else { return };
-    let (fill, edge) = mark::inks(ui, sheet.session, &target);
+    let Some((owned, target)) = sheet.target(id, field) else { return };
+    let (fill, edge) = mark::inks(ui, owned.keys, &target);
     mark::diamond(ui, inner.left_center() + vec2(4.0, 0.0), 4.0, fill, edge);
     inner.min.x += 12.0;
 }

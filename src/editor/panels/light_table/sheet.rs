@@ -8,7 +8,7 @@ use eframe::egui::Color32;
 use super::column::Column;
 use super::typed::NumberForm;
 use crate::document::{GroupMaster, LightField, LightSet, MAX_EXPOSURE, Scene, SetTerm, Target};
-use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::lighting::{OwnedKeys, OwnedLight, Owner};
 use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::ids::{LightGroup, LightId};
@@ -161,19 +161,28 @@ impl<'s> Sheet<'s> {
         })
     }
 
-    /// Target of a field of a light of the open look, as keys name it.
-    pub(super) fn target(self, id: &LightId, field: LightField) -> Option<Target> {
-        self.session
-            .look()
-            .lights
-            .contains_key(id)
-            .then(|| Target::Light { light: id.clone(), field: field.name().to_owned() })
+    /// Target of a field of a light as keys name it, with the keys that move the field, or that
+    /// would: those of the document that the light belongs to. `None` for a light of a look that is
+    /// not open.
+    pub(super) fn target(
+        self,
+        id: &LightId,
+        field: LightField,
+    ) -> Option<(OwnedKeys<'s>, Target)> {
+        let target = Target::Light { light: id.clone(), field: field.name().to_owned() };
+        let of = |owner: Owner| {
+            let is_there = owner.lights(self.session).is_some_and(|all| all.contains_key(id));
+            is_there.then_some(owner)
+        };
+        let own = || of(Owner::Scene).or_else(|| of(Owner::Look));
+        let owner = Owner::of_keys(self.session, &target).or_else(own)?;
+        Some((OwnedKeys::of(self.session, owner)?, target))
     }
 
-    /// Target of a field that keys of the open look move.
-    pub(super) fn keyed(self, id: &LightId, field: LightField) -> Option<Target> {
-        let keys = self.session.keys();
-        self.target(id, field).filter(|target| keys.keyed_by(target) != KeyedBy::Nothing)
+    /// Target of a field that keys move, with those keys.
+    pub(super) fn keyed(self, id: &LightId, field: LightField) -> Option<(OwnedKeys<'s>, Target)> {
+        self.target(id, field)
+            .filter(|(owned, target)| owned.keys.keyed_by(target) != KeyedBy::Nothing)
     }
 
     /// A cell of the table.
@@ -228,9 +237,9 @@ impl<'s> Sheet<'s> {
             Column::Field(field) if !field.is_of(light.kind) => return none,
             Column::Field(field) => {
                 let mut shown = std::borrow::Cow::Borrowed(light);
-                if let Some(target) = self.keyed(id, field) {
+                if let Some((owned, target)) = self.keyed(id, field) {
                     origin = Origin::Keyed;
-                    if let Some(value) = self.session.keys().value_at(&target) {
+                    if let Some(value) = owned.keys.value_at(&target) {
                         crate::frame::set_light_field(shown.to_mut(), field.name(), &value);
                     }
                 }
@@ -345,7 +354,7 @@ impl<'s> Sheet<'s> {
             }
             (Row::Light(id), Origin::Keyed, Column::Field(field)) => self
                 .target(id, field)
-                .map_or_else(String::new, |target| mark::help(self.session, &target)),
+                .map_or_else(String::new, |(owned, target)| mark::help(owned.keys, &target)),
             (Row::Light(id), Origin::Inherited, _) => format!(
                 "Inherited: {} the light {id}. An edit puts a light of the scene in its place.",
                 match looks(id) {

@@ -1,14 +1,16 @@
-//! Menus that add lights: to the look, and to the scene around it, in place of lights that its
-//! looks have.
+//! Menus that add lights: to the look, and to the scene around it, new ones or in place of lights
+//! that its looks have.
 
 use eframe::egui::Ui;
+use glam::DVec3;
 use indexmap::IndexMap;
 
 use crate::commands::{Command, PanelId};
-use crate::document::{Light, LightKind};
-use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight};
-use crate::ids::LightId;
+use crate::document::{Light, LightKind, LightSpace};
+use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight, lights_of_looks};
+use crate::ids::{LightId, make_slug};
 use crate::state::reading::{light_name, spoken};
+use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 
@@ -30,27 +32,14 @@ pub(in crate::panels) fn menus(
     shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
-    let menu = ui.menu_button("Add light", |ui| {
-        for &kind in LightKind::ALL {
-            let button = ui.button(spoken(kind.word()));
-            if button.on_hover_text(spoken(kind.help())).clicked() {
-                let near = Light {
-                    position: [1.5, 1.5, 2.0],
-                    aim: [-0.5, -0.5, -0.7],
-                    ..Light::default()
-                };
-                let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
-                let id = Owner::Look.free_id(session, "light");
-                out.push(Owner::Look.add(id, light, None).once());
-                ui.close();
-            }
-        }
-    });
+    let menu = ui.menu_button("Add light", |ui| kinds(ui, session, Owner::Look, out));
     menu.response.on_hover_text("Adds a light that layers can name");
     if session.open_scene().is_none() {
         return;
     }
     let menu = ui.menu_button("Add scene light", |ui| {
+        kinds(ui, session, Owner::Scene, out);
+        ui.separator();
         let mut has_any = false;
         for (id, shared) in free(session, shared) {
             has_any = true;
@@ -66,8 +55,65 @@ pub(in crate::panels) fn menus(
             hint(ui, "Every light of the scene's looks has one in its place already.");
         }
     });
-    menu.response
-        .on_hover_text("Adds a light of the scene, which stands in place of one that looks have");
+    menu.response.on_hover_text(
+        "Adds a light of the scene: a new one for groups that run for each light, or one in place \
+         of a light that looks have",
+    );
+}
+
+/// Shows an entry for each kind of light, which adds a new one to a document and chooses it.
+fn kinds(ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
+    for &kind in LightKind::ALL {
+        let help = spoken(kind.help());
+        let button = ui.button(spoken(kind.word()));
+        let button = match owner {
+            Owner::Look => button.on_hover_text(help),
+            Owner::Scene => button.on_hover_text(format!(
+                "{help}.\nA new light, which every group draws that runs for each light"
+            )),
+        };
+        if button.clicked() {
+            let (id, light) = new_light(session, owner, kind);
+            out.push(owner.add(id.clone(), light, None).once());
+            out.push(Command::ChooseLight(id));
+            ui.close();
+        }
+    }
+}
+
+/// A new light, in front of what it is to light, at its upper right.
+fn new_light(session: &Session, owner: Owner, kind: LightKind) -> (LightId, Light) {
+    const TOWARD: DVec3 = DVec3::new(0.5, 0.5, 0.7);
+    let near = Light {
+        kind,
+        direction: TOWARD.to_array(),
+        position: [1.5, 1.5, 2.0],
+        aim: [-0.5, -0.5, -0.7],
+        ..Light::default()
+    };
+    if owner == Owner::Look {
+        return (owner.free_id(session, "light"), near);
+    }
+    // In the scene it stands where the camera sees it, whichever object is selected.
+    let (center, radius) = sphere_of_lights(session.open_scene());
+    let orbit = &session.view.orbit;
+    let (right, up) = orbit.right_and_up();
+    let toward = right * TOWARD.x + up * TOWARD.y + orbit.direction() * TOWARD.z;
+    let short = |v: DVec3| v.to_array().map(|x| (x * 1e3).round() / 1e3 + 0.0);
+    let light = Light {
+        space: LightSpace::World,
+        direction: short(toward),
+        position: short(center + toward.normalize() * 1.6 * radius),
+        aim: short(-toward),
+        ..near
+    };
+    // An id that no look has: it would stand in place of that light otherwise.
+    let is_taken = |slug: &str| {
+        let id = LightId::new(slug);
+        let has = |lights: &IndexMap<LightId, Light>| lights.contains_key(&id);
+        owner.lights(session).is_some_and(has) || lights_of_looks(session).contains_key(&id)
+    };
+    (LightId::new(make_slug("light", is_taken)), light)
 }
 
 /// Shows the buttons that lead to the other panels about lights.

@@ -7,7 +7,7 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace, Value};
-use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::lighting::{OwnedKeys, OwnedLight};
 use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
 use crate::ids::{LightGroup, ObjectId, is_slug, make_slug};
@@ -57,12 +57,13 @@ pub(crate) fn edit(
         }
         let fields: Vec<LightField> = new.fields().collect();
         for field in fields {
-            // Keys and parameters belong to the look, and so do their marks.
-            let is_own = owned_light.owner == Owner::Look;
             let ty = Type::of_light_field(field);
             let (target, label) = (owned_light.target(field.name()), field.label());
-            let marked =
-                is_own.then_some(FieldTarget { session, target, ty: &ty, label, reset: None });
+            let owned = OwnedKeys::of(session, owned_light.owner);
+            let marked = owned.map(|owned| {
+                let target = target.clone();
+                FieldTarget { owned, target, ty: &ty, label, reset: None }
+            });
             let text = egui::RichText::new(label).color(theme::of(ui).text);
             let help = marked.as_ref().map(FieldTarget::help).unwrap_or_default();
             let help = format!("{}\n{help}", field.help());

@@ -5,7 +5,7 @@ pub(super) mod add;
 mod edit;
 mod mixer;
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
@@ -16,6 +16,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId};
 use crate::document::{Light, Value};
+use crate::fields::layer;
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::ids::LightId;
@@ -47,6 +48,8 @@ pub(crate) struct Lights {
     renaming: Option<NameEdit<(Owner, LightId)>>,
     /// Number of the look's nodes that name each light.
     users: HashMap<LightId, usize>,
+    /// Number of the scene's looks that have groups which run for each light, by light.
+    drawn: HashMap<LightId, usize>,
     mixed: MixedLights,
     /// Document that a name is being changed in.
     document: Option<DocumentNumber>,
@@ -119,6 +122,8 @@ impl Lights {
             return;
         }
         self.users.clear();
+        self.drawn.clear();
+        self.count_looks_of_sets(session);
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
         for node in
@@ -135,6 +140,22 @@ impl Lights {
                 if let Some((id, _)) = named {
                     *self.users.entry(id.clone()).or_default() += 1;
                 }
+            }
+        }
+    }
+
+    /// Counts the looks of the scene that run for each light of sets.
+    fn count_looks_of_sets(&mut self, session: &Session) {
+        let Some(open_scene) = session.open_scene() else { return };
+        let others = open_scene.snapshot().other_looks().map(|other| &other.look);
+        for look in std::iter::once(session.look()).chain(others) {
+            let groups = look.definitions.values().map(|definition| &definition.graph);
+            let graphs = std::iter::once(&look.graph).chain(groups);
+            let sets = graphs.flat_map(|graph| graph.nodes.values()).filter_map(|n| n.for_each.as_ref());
+            let lights: BTreeSet<LightId> =
+                sets.flat_map(|set| self.mixed.members(set)).collect();
+            for id in lights {
+                *self.drawn.entry(id).or_default() += 1;
             }
         }
     }
@@ -179,7 +200,8 @@ impl Lights {
                 ui.set_min_height(ICON);
                 let here = solo.is_dark(owned_light.id).then(|| "Out in this window".to_owned());
                 let why_dark = here.or_else(|| self.mixed.told(owned_light.id));
-                self.title(ui, owned_light, why_dark, is_replaced, out);
+                let is_at_hand = layer::light_at_hand(session).as_ref() == Some(owned_light.id);
+                self.title(ui, owned_light, (why_dark, is_replaced, is_at_hand), out);
             });
         });
     }
@@ -200,14 +222,14 @@ impl Lights {
             Owner::Scene => {
                 let count =
                     self.mixed.shared().get(owned_light.id).map_or(0, |shared| shared.looks);
-                let none = "No look of the scene has a light of this id, so it lights nothing: let \
-                            it stand in for one";
-                (
-                    count,
-                    "look",
-                    none,
-                    "So many looks have a light of this id, in whose place it stands",
-                )
+                let none = "No look of the scene has a light of this id, or runs for each light, \
+                            so it lights nothing: let it stand in for one";
+                let drawn = self.drawn.get(owned_light.id).copied().unwrap_or(0);
+                let help = match count {
+                    0 => "So many looks run for each light, and for this one among them",
+                    _ => "So many looks have a light of this id, in whose place it stands",
+                };
+                (if count == 0 { drawn } else { count }, "look", none, help)
             }
         };
         let (text, color, help) = match count {
@@ -232,8 +254,7 @@ impl Lights {
         &mut self,
         ui: &mut Ui,
         owned_light: &OwnedLight<'_>,
-        why_dark: Option<String>,
-        is_replaced: bool,
+        (why_dark, is_replaced, is_at_hand): (Option<String>, bool, bool),
         out: &mut Vec<Command>,
     ) {
         if let Some(field) = self
@@ -254,15 +275,25 @@ impl Lights {
             return;
         }
         let is_dark = why_dark.is_some();
-        let color = if is_dark || is_replaced { theme::of(ui).dim } else { theme::of(ui).text };
+        let colors = theme::of(ui);
+        let color = match (is_dark || is_replaced, is_at_hand) {
+            (true, _) => colors.dim,
+            (false, true) => colors.accent,
+            (false, false) => colors.text,
+        };
         let text = RichText::new(owned_light.name()).strong().color(color);
         let text = if is_dark { text.strikethrough() } else { text };
         let response = ui.add(Label::new(text).truncate().selectable(false).sense(Sense::click()));
         if response.double_clicked() {
             self.rename(owned_light);
+        } else if response.clicked() {
+            out.push(Command::ChooseLight(owned_light.id.clone()));
         }
         let why = why_dark.map_or_else(String::new, |why| format!("{why}.\n"));
-        response.on_hover_text(format!("{why}Double click to rename"));
+        response.on_hover_text(format!(
+            "{why}A click chooses it: its handles, placing and looking through are of it then. \
+             Double click to rename"
+        ));
     }
 
     fn rename(&mut self, owned_light: &OwnedLight<'_>) {

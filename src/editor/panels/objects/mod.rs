@@ -1,6 +1,7 @@
 //! Objects of the scene: a row for each, and all fields of the selected one.
 
 mod details;
+mod layers;
 mod lights;
 mod parameters;
 mod words;
@@ -77,6 +78,7 @@ impl Objects {
                     self.details.show(ui, open_scene, id, object, &mut out);
                     parameters::show(ui, session, open_scene, id, object, &mut out);
                     lights::show(ui, open_scene, id, object, &mut out);
+                    layers::show(ui, session, open_scene, (id, object), &mut out);
                     ui.add_space(8.0);
                 }
             }

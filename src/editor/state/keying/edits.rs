@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::KeyedLook;
-use super::{KeyedBy, rounded};
+use super::{KeyedBy, rounded, targets_of};
 use crate::document::{
     DirectionKey, DirectionKeys, Edit, GraphId, Interpolation, KeyDirection, KeyScheme, Target,
     TimeKey, TimeKeys, UnknownFields, Value,
@@ -129,6 +129,19 @@ impl KeyedLook<'_> {
                 .for_each(|key| drop(key.values.insert(target.clone(), value.clone())));
         });
         Some(self.grounded(Some(target), edit))
+    }
+
+    /// The edit that adds a key to a set where that is now, with the present values.
+    pub(crate) fn key_here(self, set: usize) -> Edit {
+        self.change_set(set, |keys| {
+            let targets = targets_of(keys).into_iter();
+            let values = targets.filter_map(|target| {
+                let value = self.value_now(&target)?;
+                Some((target, value))
+            });
+            let (direction, values) = (rounded(self.direction_of(&keys.by)), values.collect());
+            keys.keys.push(DirectionKey { direction, values, unknown: UnknownFields::new() });
+        })
     }
 
     /// An edit that names a target in a list, after one that gives the target a value of its own

@@ -7,8 +7,10 @@
 mod drivers;
 mod edits;
 mod follow;
+mod scene;
 
 pub(crate) use drivers::said;
+pub(crate) use scene::scene_edit;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,7 +23,7 @@ use crate::document::{
     AimPlaces, DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightValues, Object,
     ObjectFrame, Scene, Target, Value, Values,
 };
-use crate::frame::{KeyedValues, Rig, RigInputs, SceneRig, Wires};
+use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
@@ -29,6 +31,7 @@ use crate::state::reading::LookWithLibrary;
 use crate::state::scene::{OpenScene, unit_rotation};
 use crate::state::snapshot::Stamp;
 use crate::state::view::ViewState;
+use scene::SceneKeys;
 
 /// Values that keys give, kept until anything changes.
 #[derive(Default)]
@@ -37,9 +40,8 @@ pub(crate) struct KeyEvaluation {
     /// The object that the values hold for.
     own: Option<ObjectId>,
     rig: Option<Rig>,
-    /// Keys of the scene's lights, and the values that they give.
-    scene_rig: Option<Arc<SceneRig>>,
-    scene_values: HashMap<Target, Value>,
+    /// Keys of the scene's lights, where there is a scene.
+    of_scene: Option<Box<SceneKeys>>,
     now: KeyedValues,
     /// By set of keys: the key at which values are set while none is selected.
     pub(crate) followed: Vec<usize>,
@@ -101,19 +103,16 @@ impl<'a> KeyedLook<'a> {
             self.base.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
         let wires = shader(sets_values).map(Wires::of);
-        let scene_rig = self.scene.and_then(|open_scene| {
-            SceneRig::of(open_scene.scene(), self.evaluation.scene_rig.as_ref())
+        let of_scene = self.scene.map(|open_scene| {
+            let known = self.evaluation.of_scene.as_deref();
+            Box::new(self.at_this_moment(|moment| SceneKeys::of(open_scene.scene(), known, moment)))
         });
-        let scene_values = scene_rig.as_ref().map(|rig| {
-            self.at_this_moment(|moment| {
-                rig.values(&RigInputs { scene_values: &HashMap::new(), ..*moment })
-            })
-        });
-        let scene_values = scene_values.unwrap_or_default();
+        let none = HashMap::new();
+        let scene_values = of_scene.as_ref().map_or(&none, |keys| &keys.evaluation.now.values);
         // Code that runs without end is reported by the compiler and the picture.
         let now = self
             .at_this_moment(|moment| {
-                let moment = RigInputs { scene_values: &scene_values, ..*moment };
+                let moment = RigInputs { scene_values, ..*moment };
                 rig.keyed_values(&base, wires, &moment)
             })
             .unwrap_or_default();
@@ -122,25 +121,40 @@ impl<'a> KeyedLook<'a> {
             stamp: Some(stamp),
             own,
             rig: Some(rig),
-            scene_rig,
-            scene_values,
+            of_scene,
             now,
             followed,
         })
     }
 
+    /// The keys of the scene's lights as those of a look that has nothing else; `None` without a
+    /// scene.
+    pub(crate) fn of_scene(self) -> Option<Self> {
+        self.scene?;
+        Some(self.evaluation.of_scene.as_deref()?.seen(self))
+    }
+
     /// The light of an id in the picture of the look: a scene's light stands in place of the
-    /// look's, and the look's keys move either.
+    /// look's, and the look's keys move either. Lights that the scene alone has are drawn by groups
+    /// that run for each light.
     pub(crate) fn light(self, id: &LightId) -> Option<&'a Light> {
-        let own = self.base.look.lights.get(id)?;
-        let of_scene = || self.light_of_scene(id);
+        let of_scene = || {
+            let own = self.light_of_scene(id)?;
+            let keys = self.evaluation.of_scene.as_deref();
+            Some(keys.and_then(|keys| keys.evaluation.now.lights.get(id)).unwrap_or(own))
+        };
+        let Some(own) = self.base.look.lights.get(id) else { return of_scene() };
         Some(self.evaluation.now.lights.get(id).or_else(of_scene).unwrap_or(own))
     }
 
-    /// The lights that are neither muted nor left out by a solo, with their present values.
+    /// The lights of the look, then those that the scene has besides, which are neither muted nor
+    /// left out by a solo, with their present values.
     pub(crate) fn shining(self) -> impl Iterator<Item = (&'a LightId, &'a Light)> {
         let solo = &self.view.solo;
-        let lights = self.base.look.lights.iter().filter(move |(id, _)| !solo.is_dark(id));
+        let own = &self.base.look.lights;
+        let of_scene = self.scene.into_iter().flat_map(|scene| &scene.scene().lights);
+        let lights = own.iter().chain(of_scene.filter(|(id, _)| !own.contains_key(*id)));
+        let lights = lights.filter(move |(id, _)| !solo.is_dark(id));
         lights.map(move |(id, light)| (id, self.light(id).unwrap_or(light)))
     }
 
@@ -172,7 +186,8 @@ impl<'a> KeyedLook<'a> {
         let others = others.filter(|(id, _)| own.is_none_or(|(own, _)| own != *id));
         let near =
             others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
-        let (none, no_values) = (IndexMap::new(), Values::new());
+        let (none, no_values, no_keys) = (IndexMap::new(), Values::new(), HashMap::new());
+        let of_scene = self.evaluation.of_scene.as_deref();
         let frames = self.light_frames();
         ask(&RigInputs {
             time: self.view.time,
@@ -186,7 +201,7 @@ impl<'a> KeyedLook<'a> {
             near: &near,
             exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
-            scene_values: &self.evaluation.scene_values,
+            scene_values: of_scene.map_or(&no_keys, |keys| &keys.evaluation.now.values),
             aims: &frames.aims,
             // No wire is asked here that depends on the picture's size.
             viewport: [1.0; 2],

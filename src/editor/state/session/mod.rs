@@ -22,7 +22,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
-use crate::ids::NodeId;
+use crate::ids::{LightId, NodeId};
 use crate::library::Library;
 use crate::state::compiling::{self};
 use crate::state::crashes::CrashLog;
@@ -209,6 +209,7 @@ impl Session {
         self.look.path = path;
         self.sketchbook.find(&self.look);
         self.selection.nodes.clear();
+        self.selection.light = None;
         // A scene has the camera, which stays.
         if self.open_scene.is_none() {
             self.view.orbit = Orbit {
@@ -353,6 +354,15 @@ impl Session {
     pub fn select(&mut self, ids: Vec<NodeId>) {
         let graph = self.graph_view();
         self.selection.nodes = ids.into_iter().filter(|id| graph.has_node(id)).collect();
+        if !self.selection.nodes.is_empty() {
+            // The light of the selected layer or node is meant from now on.
+            self.selection.light = None;
+        }
+    }
+
+    /// Chooses the light that handles, placing and looking through are of.
+    pub(crate) fn choose_light(&mut self, id: LightId) {
+        self.selection.light = Some(id);
     }
 
     /// Gives up unsaved changes of the look or of the scene: they are no longer asked about.

@@ -152,10 +152,7 @@ impl PlacingTool {
     /// The light that is placed: the chosen one, that of the selection, or the first.
     fn light(&self, session: &Session) -> Option<LightId> {
         let lights = Self::lights(session);
-        let selected = || {
-            let of_layer = layer::selected(session).map(|layer| layer.light);
-            of_layer.or_else(|| layer::selected_light(session))
-        };
+        let selected = || layer::light_at_hand(session);
         let chosen = self.chosen.clone().filter(|id| lights.contains(id));
         chosen.or_else(selected).or_else(|| lights.first().map(|id| (*id).clone()))
     }

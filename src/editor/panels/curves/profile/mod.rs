@@ -371,8 +371,8 @@ fn mark(ui: &mut Ui, layer: &ProfileNode<'_>, part: &ProfileAngle) {
     let target = layer.target(part.port);
     if layer.session.keys().keyed_by(&target) != KeyedBy::Nothing {
         let name = format!("Keys of {}", part.label.to_lowercase());
-        mark::of(ui, layer.session, &target, &name)
-            .on_hover_text(mark::help(layer.session, &target));
+        mark::of(ui, layer.session.keys(), &target, &name)
+            .on_hover_text(mark::help(layer.session.keys(), &target));
     }
 }
 

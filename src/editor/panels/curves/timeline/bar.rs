@@ -3,9 +3,10 @@
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::Timeline;
+use super::{Timeline, rows};
 use crate::commands::Command;
 use crate::document::{Edit, Interpolation, Target};
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::values;
@@ -59,8 +60,7 @@ pub(super) fn show(
 
 /// Time of the nearest key before or after the playhead.
 fn neighbor(session: &Session, way: f64) -> Option<f64> {
-    let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
-    let beyond = times.filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
+    let beyond = super::times(session).filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
     beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
 }
 
@@ -102,16 +102,19 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                     if changes_in_time(&port.ty)
                         && session.graph().wire_into(id, &port.name).is_none()
                     {
-                        entry(ui, session, &session.selection.target(id, &port.name), out);
+                        let target = session.selection.target(id, &port.name);
+                        entry(ui, OwnedKeys::of_look(session), &target, out);
                     }
                 }
             }
             if session.selection.nodes.is_empty() {
                 hint(ui, "Select a node to key its values.");
             }
-            for (id, light) in &session.look().lights {
-                for field in light.fields().map(|field| field.name().to_owned()) {
-                    entry(ui, session, &Target::Light { light: id.clone(), field }, out);
+            for owned in super::owners(session) {
+                for (id, light) in &owned.look().lights {
+                    for field in light.fields().map(|field| field.name().to_owned()) {
+                        entry(ui, owned, &Target::Light { light: id.clone(), field }, out);
+                    }
                 }
             }
         });
@@ -119,40 +122,41 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     menu.response.on_hover_text("Begins a track with the value that is seen now, at the playhead");
 }
 
-fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>) {
-    let is_new = session.look().time_keys.iter().all(|track| track.target != *target);
-    let Some(edit) = session.keys().key_in_time(target).filter(|_| is_new) else { return };
-    let [owner, what] = session.look_with_library().names_of(target);
-    if ui.button(format!("{owner}: {what}")).clicked() {
-        out.push(Command::Edit(edit));
+fn entry(ui: &mut Ui, owned: OwnedKeys<'_>, target: &Target, out: &mut Vec<Command>) {
+    let is_new = owned.look().time_keys.iter().all(|track| track.target != *target);
+    let Some(edit) = owned.keys.key_in_time(target).filter(|_| is_new) else { return };
+    let [owner, what] = owned.keys.base.names_of(target);
+    let of = if owned.owner == Owner::Scene { " of the scene" } else { "" };
+    if ui.button(format!("{owner}{of}: {what}")).clicked() {
+        out.extend(owned.once(edit));
     }
 }
 
 /// Shows the selected key: its time, its value, and its interpolation.
 pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let Some((track_at, key_at)) = timeline.selected else { return };
-    let Some(track) = session.look().time_keys.get(track_at) else { return };
+    let Some((owner, track_at, key_at)) = timeline.selected else { return };
+    let Some(owned) = OwnedKeys::of(session, owner) else { return };
+    let Some(track) = owned.look().time_keys.get(track_at) else { return };
     let (Some(key), Some(port)) =
-        (track.keys.get(key_at), session.look_with_library().port_at(&track.target))
+        (track.keys.get(key_at), owned.keys.base.port_at(&track.target))
     else {
         return;
     };
     ui.horizontal_wrapped(|ui| {
-        let [owner, what] = session.look_with_library().names_of(&track.target);
+        let [owner, what] = rows::owner_and_name(owned, track);
         ui.label(RichText::new(format!("{owner}: {what}")).color(theme::of(ui).accent));
         let mut time = key.time;
         let response = ui
             .add(DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s"));
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Time of the key"));
         if response.on_hover_text("When").changed() && time.is_finite() {
-            let edit = moved(timeline, session, track_at, key_at, time);
-            out.push(Command::EditHeld(ui.scope_id().with("time"), edit));
+            let edit = moved(timeline, owned, track_at, key_at, time);
+            out.extend(owned.held(ui.scope_id().with("time"), edit));
         }
         let space = session.look().color_space;
         if let Some((id, value)) = value::cell(ui, "Value of the key", &port, &key.value, space) {
-            let edit =
-                session.keys().change_track(track_at, |track| track.keys[key_at].value = value);
-            out.push(Command::EditHeld(id, edit));
+            let edit = owned.keys.change_track(track_at, |track| track.keys[key_at].value = value);
+            out.extend(owned.held(id, edit));
         }
         for (choice, text, help) in [
             (Interpolation::Smooth, "Smooth", "Eases to the next key (a circle)"),
@@ -161,14 +165,14 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
         ] {
             let is_it = key.interpolation == choice;
             if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
-                let edit = session
-                    .keys()
+                let edit = owned
+                    .keys
                     .change_track(track_at, |track| track.keys[key_at].interpolation = choice);
-                out.push(Command::Edit(edit));
+                out.extend(owned.once(edit));
             }
         }
         if ui.button("Delete time key").on_hover_text("Takes this key away (Delete)").clicked() {
-            out.push(Command::Edit(removed(session, track_at, key_at)));
+            out.extend(owned.once(removed(owned, track_at, key_at)));
         }
     });
 }
@@ -176,14 +180,14 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
 /// Edit that moves a key in time, between its neighbors.
 pub(super) fn moved(
     timeline: &Timeline,
-    session: &Session,
+    owned: OwnedKeys<'_>,
     track: usize,
     key: usize,
     time: f64,
 ) -> Edit {
     let gap = if timeline.snaps { 1.0 / timeline.fps } else { super::LEAST };
     let time = timeline.snapped(time);
-    session.keys().change_track(track, |track| {
+    owned.keys.change_track(track, |track| {
         let low =
             key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
         let high = track.keys.get(key + 1).map_or(f64::INFINITY, |after| after.time - gap);
@@ -193,15 +197,15 @@ pub(super) fn moved(
     })
 }
 
-/// Edit that removes a key; without its last key the value is the look's own again.
-pub(super) fn removed(session: &Session, track: usize, key: usize) -> Edit {
-    let Some(of) = session.look().time_keys.get(track) else {
+/// Edit that removes a key; without its last key the value is the document's own again.
+pub(super) fn removed(owned: OwnedKeys<'_>, track: usize, key: usize) -> Edit {
+    let Some(of) = owned.look().time_keys.get(track) else {
         return Edit::Group { edits: Vec::new() };
     };
     if of.keys.len() < 2 {
-        return session.keys().unkey(&of.target);
+        return owned.keys.unkey(&of.target);
     }
-    session.keys().change_track(track, |track| {
+    owned.keys.change_track(track, |track| {
         if key < track.keys.len() {
             track.keys.remove(key);
         }

@@ -14,6 +14,7 @@ use eframe::egui::{Key, Modifiers, Rect, ScrollArea, Sense, Stroke, Ui, pos2, ve
 
 use crate::commands::{Command, PanelId, keyboard};
 use crate::document::TimeRange;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::session::Session;
 use crate::widgets::text::hint;
@@ -57,8 +58,9 @@ pub(crate) struct Timeline {
     range: [f64; 2],
     /// Range that is visible, in seconds.
     seen: [f64; 2],
-    /// Selected key: the indices of its track and of the key within it.
-    selected: Option<(usize, usize)>,
+    /// Selected key: the document of its track, and the indices of the track and of the key within
+    /// it.
+    selected: Option<(Owner, usize, usize)>,
 }
 
 impl Default for Timeline {
@@ -137,9 +139,10 @@ impl Timeline {
     /// Shows the values that are keyed over time.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let tracks = &session.look().time_keys;
-        let is_there = |&(track, key): &(usize, usize)| {
-            tracks.get(track).is_some_and(|track| key < track.keys.len())
+        let is_there = |&(owner, track, key): &(Owner, usize, usize)| {
+            let keys = owner.keys(session);
+            let track = keys.and_then(|keys| keys.base.look.time_keys.get(track));
+            track.is_some_and(|track| key < track.keys.len())
         };
         self.selected = self.selected.filter(is_there);
         let panel = ui.max_rect();
@@ -154,7 +157,7 @@ impl Timeline {
         axis.ruler(ui, self.fps, self.range);
         self.scrub(ui, session, axis, &mut commands);
         let top = ui.cursor().top();
-        if tracks.is_empty() {
+        if times(session).next().is_none() {
             ui.add_space(6.0);
             hint(
                 ui,
@@ -166,8 +169,10 @@ impl Timeline {
         } else {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
-                for track in 0..tracks.len() {
-                    rows::show(self, ui, session, axis, track, &mut commands);
+                for owned in owners(session) {
+                    for track in 0..owned.look().time_keys.len() {
+                        rows::show(self, ui, owned, axis, track, &mut commands);
+                    }
                 }
             });
         }
@@ -248,15 +253,24 @@ impl Timeline {
 
     /// Fits all keys and the range into view.
     fn fit(&mut self, session: &Session) {
-        let times =
-            session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
         let [mut low, mut high] = self.range;
-        for time in times {
+        for time in times(session) {
             (low, high) = (low.min(time), high.max(time));
         }
         let margin = 0.05 * (high - low).max(0.1);
         self.seen = [low - margin, high + margin];
     }
+}
+
+/// Documents whose tracks are shown: the look's, then those of the scene's lights.
+fn owners(session: &Session) -> impl Iterator<Item = OwnedKeys<'_>> {
+    [Owner::Look, Owner::Scene].into_iter().filter_map(|owner| OwnedKeys::of(session, owner))
+}
+
+/// Times of all keys, in seconds.
+fn times(session: &Session) -> impl Iterator<Item = f64> {
+    let tracks = owners(session).flat_map(|owned| &owned.look().time_keys);
+    tracks.flat_map(|track| &track.keys).map(|key| key.time)
 }
 
 /// Time rounded to microseconds, which are fine enough and read better in a file.

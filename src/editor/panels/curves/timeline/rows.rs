@@ -11,35 +11,45 @@ use super::{NAMES, ROW, Timeline, bar};
 use crate::catalog::Port;
 use crate::commands::Command;
 use crate::document::{Interpolation, TimeKeys, Value};
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::mark;
 use crate::frame::{at_time, is_direction};
 use crate::library::Type;
-use crate::state::session::Session;
 use crate::values;
 use crate::widgets::handle::{self, handle};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
 
+/// Names of the light or node and of the field that a track moves; lights of the scene are told
+/// from those of the look.
+pub(super) fn owner_and_name(owned: OwnedKeys<'_>, track: &TimeKeys) -> [String; 2] {
+    let [owner, what] = owned.keys.base.names_of(&track.target);
+    match owned.owner {
+        Owner::Look => [owner, what],
+        Owner::Scene => [format!("{owner} of the scene"), what],
+    }
+}
+
 /// Shows a track.
 pub(super) fn show(
     timeline: &mut Timeline,
     ui: &mut Ui,
-    session: &Session,
+    owned: OwnedKeys<'_>,
     axis: Axis,
     index: usize,
     out: &mut Vec<Command>,
 ) {
-    let track = &session.look().time_keys[index];
+    let track = &owned.look().time_keys[index];
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     if !ui.is_rect_visible(rect) {
         return;
     }
     let names = Rect::from_min_size(rect.min, vec2(NAMES - 8.0, ROW));
-    let mut head = ui.new_child(egui::UiBuilder::new().id_salt(index).max_rect(names));
-    name(&mut head, session, index, track, out);
+    let mut head = ui.new_child(egui::UiBuilder::new().id_salt((owned.owner, index)).max_rect(names));
+    name(&mut head, owned, index, track, out);
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), rect.y_range());
-    let [owner, what] = session.look_with_library().names_of(&track.target);
-    let response = ui.interact(lane, ui.scope_id().with(("lane", index)), Sense::click_and_drag());
+    let [owner, what] = owner_and_name(owned, track);
+    let response = ui.interact(lane, ui.scope_id().with(("lane", owned.owner, index)), Sense::click_and_drag());
     response.widget_info(|| {
         WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
     });
@@ -51,40 +61,39 @@ pub(super) fn show(
     {
         let time = timeline.snapped(axis.time(pointer.x));
         if let Some(value) = at_time(&track.keys, time, is_direction(&track.target)) {
-            out.push(Command::Edit(session.keys().set_in_time(index, time, value)));
+            out.extend(owned.once(owned.keys.set_in_time(index, time, value)));
         }
     }
     response.on_hover_text("Double-click adds a key; drag pans; drag a key to move it in time");
-    paint(ui, session, axis, lane, track);
+    paint(ui, owned, axis, lane, track);
     for key in 0..track.keys.len() {
-        key_handle(timeline, ui, session, axis, (index, key), lane, out);
+        key_handle(timeline, ui, owned, axis, (index, key), lane, out);
     }
 }
 
 /// Shows the diamond that keys the value at the playhead, the value's name, and its present value.
-fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mut Vec<Command>) {
+fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
-    let [owner, what] = session.look_with_library().names_of(&track.target);
+    let [owner, what] = owner_and_name(owned, track);
     ui.horizontal_centered(|ui| {
-        let here = track.keys.iter().position(|key| (key.time - session.view.time).abs() < 1e-6);
+        let here = track.keys.iter().position(|key| (key.time - owned.session.view.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
-        let diamond = mark::of(ui, session, &track.target, &format!("{verb} {owner}: {what}"));
+        let diamond = mark::of(ui, owned.keys, &track.target, &format!("{verb} {owner}: {what}"));
         let help = if here.is_some() {
             "Deletes the key at the playhead"
         } else {
             "Adds a key at the playhead"
         };
         if diamond.on_hover_text(help).clicked() {
-            out.extend(match here {
-                Some(key) => Some(Command::Edit(bar::removed(session, index, key))),
-                None => session.keys().key_in_time(&track.target).map(Command::Edit),
-            });
+            let edit = match here {
+                Some(key) => Some(bar::removed(owned, index, key)),
+                None => owned.keys.key_in_time(&track.target),
+            };
+            out.extend(edit.and_then(|edit| owned.once(edit)));
         }
-        let now = session
-            .keys()
-            .value_now(&track.target)
-            .zip(session.look_with_library().port_at(&track.target));
-        let space = session.look().color_space;
+        let keys = owned.keys;
+        let now = keys.value_now(&track.target).zip(keys.base.port_at(&track.target));
+        let space = owned.session.look().color_space;
         let shown = now.map(|(value, port)| {
             match value.color_in(space).filter(|_| port.ty == Type::Color) {
                 Some(color) => values::hex(color),
@@ -104,18 +113,18 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
 }
 
 /// Draws the values over time: numbers as a line, colors as themselves.
-fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
+fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys) {
     let colors = theme::of(ui);
     let painter = ui.painter_at(lane);
     painter.rect_filled(lane, 3.0, colors.canvas);
-    let port = session.look_with_library().port_at(&track.target);
+    let port = owned.keys.base.port_at(&track.target);
     let of = |time: f64| at_time(&track.keys, time, is_direction(&track.target));
     let count = (lane.width() / 3.0).clamp(2.0, 400.0) as usize;
     let places = (0..=count).map(|i| lane.left() + lane.width() * i as f32 / count as f32);
     let is_color =
         port.as_ref().is_some_and(|port: &Port| matches!(port.ty, Type::Color | Type::Composite));
     if is_color {
-        let space = session.look().color_space;
+        let space = owned.session.look().color_space;
         let bar = lane.shrink2(vec2(0.0, 7.0));
         let mut mesh = Mesh::default();
         for (i, x) in places.enumerate() {
@@ -159,37 +168,37 @@ fn number(value: &Value) -> Option<f64> {
 fn key_handle(
     timeline: &mut Timeline,
     ui: &Ui,
-    session: &Session,
+    owned: OwnedKeys<'_>,
     axis: Axis,
     (track, index): (usize, usize),
     lane: Rect,
     out: &mut Vec<Command>,
 ) {
-    let key = &session.look().time_keys[track].keys[index];
+    let of_track = &owned.look().time_keys[track];
+    let key = &of_track.keys[index];
     let at = pos2(axis.x(key.time), lane.center().y);
     if !lane.x_range().expand(6.0).contains(at.x) {
         return;
     }
-    let [owner, what] =
-        session.look_with_library().names_of(&session.look().time_keys[track].target);
+    let [owner, what] = owner_and_name(owned, of_track);
     let label = format!("Time key {} of {owner}: {what}", index + 1);
-    let handled = handle(ui, ui.scope_id().with(("key", track, index)), at, &label, key.time, true);
+    let handled = handle(ui, ui.scope_id().with(("key", owned.owner, track, index)), at, &label, key.time, true);
     if handled.response.clicked() || handled.response.drag_started() {
-        timeline.selected = Some((track, index));
+        timeline.selected = Some((owned.owner, track, index));
     }
     let step = f64::from(handled.steps.x) / timeline.fps;
     let wished = handled.to.map(|to| axis.time(to.x)).or((step != 0.0).then_some(key.time + step));
     if let Some(time) = wished {
-        let edit = bar::moved(timeline, session, track, index, time);
-        out.push(Command::EditHeld(handled.response.id, edit));
+        let edit = bar::moved(timeline, owned, track, index, time);
+        out.extend(owned.held(handled.response.id, edit));
     }
     if handled.response.double_clicked() {
         timeline.go(key.time, out);
     }
     if handle::pressed(ui, &handled.response, Key::Delete) {
-        out.push(Command::Edit(bar::removed(session, track, index)));
+        out.extend(owned.once(bar::removed(owned, track, index)));
     }
-    let is_selected = timeline.selected == Some((track, index));
+    let is_selected = timeline.selected == Some((owned.owner, track, index));
     paint_key(ui, at, key.interpolation, is_selected, handled.response.hovered());
     handle::focus_ring(ui, &handled.response, at, 7.0);
     let time = values::number_text(key.time, 3);
