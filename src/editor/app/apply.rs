@@ -92,7 +92,7 @@ impl App {
             Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
             Command::ShowStart(true) => self.show_start_page(),
             Command::ShowStart(false) => self.start = None,
-            Command::StartTour => self.do_or_ask(PendingAction::Tour),
+            Command::StartTour(topic) => self.do_or_ask(PendingAction::Tour(topic)),
             Command::OpenPalette => self.sheet.open_palette(),
             Command::OpenShortcuts => self.sheet.open_shortcuts(),
             Command::Save => self.save(),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::commands::{Command, PAINTING, PanelId, PictureImport};
+use crate::commands::{Command, PAINTING, PanelId, PictureImport, TourTopic};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
@@ -29,7 +29,7 @@ pub(super) enum PendingAction {
     /// Puts the scene aside; the look stays open.
     LeaveScene,
     Example(usize),
-    Tour,
+    Tour(TourTopic),
     NewPainting {
         grid: Grid,
         keeps_look: bool,
@@ -230,7 +230,7 @@ impl App {
                 self.open_example(index);
                 self.safety.look();
             }
-            Some(PendingAction::Tour) => self.begin_tour(),
+            Some(PendingAction::Tour(topic)) => self.begin_tour(topic),
             Some(PendingAction::LeaveScene) => {
                 self.safety.put_aside(&self.session);
                 self.session.leave_scene(false);

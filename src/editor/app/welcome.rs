@@ -8,8 +8,8 @@ use eframe::egui::{self, Ui};
 use super::App;
 use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
-use crate::app::tour::{NOTHING, Tour};
-use crate::commands::{Command, FilePurpose, PaintCommand, SceneCommand};
+use crate::app::tour::{self, Tour};
+use crate::commands::{Command, FilePurpose, PaintCommand, SceneCommand, TourTopic};
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
 use crate::state::revision::{DocumentNumber, LookRevision};
@@ -86,10 +86,11 @@ impl App {
         });
     }
 
-    pub(super) fn begin_tour(&mut self) {
-        self.session.start_from(NOTHING, "first look");
+    pub(super) fn begin_tour(&mut self, topic: TourTopic) {
+        tour::begin(topic, &mut self.session);
         self.safety.look();
-        self.tour = Some(Tour::new(&self.session));
+        self.lay_out();
+        self.tour = Some(Tour::new(topic, &self.session));
     }
 
     /// Shows the tour beside its target, while it goes on.

@@ -16,6 +16,7 @@ mod placing;
 mod recovery;
 mod scene;
 pub(crate) mod table;
+mod tour;
 
 use std::path::PathBuf;
 
@@ -34,6 +35,7 @@ pub(crate) use picture::{PictureExport, ViewCommand};
 pub(crate) use placing::{LightMark, PlacingCommand};
 pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scene::SceneCommand;
+pub(crate) use tour::TourTopic;
 
 /// Command to the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,8 +63,8 @@ pub(crate) enum Command {
     Forget(PathBuf),
     /// Shows the start page in place of the panels, or the panels again.
     ShowStart(bool),
-    /// Begins the tour, on a look of its own.
-    StartTour,
+    /// Begins a tour, on documents of its own.
+    StartTour(TourTopic),
     /// Opens the command palette, or closes it.
     OpenPalette,
     /// Opens the sheet of shortcuts, or closes it.

@@ -13,7 +13,7 @@ use eframe::egui::{
 use super::library::cards::{self, Card};
 use super::thumbs::Thumbs;
 use crate::commands::table::{self, CommandRow};
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, PanelId, TourTopic};
 use crate::panels::{PanelContext, Workbench};
 use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
@@ -25,7 +25,7 @@ const MARGIN: f32 = 36.0;
 /// Largest width of the page, in points.
 const WIDEST: f32 = 1380.0;
 /// Width from which on the tiles stand beside the title, in points.
-const WIDE: f32 = 1130.0;
+const WIDE: f32 = 1290.0;
 /// Gap between cards, in points.
 const GAP: f32 = 14.0;
 /// Least width of a look's picture, in points; below, the side that the picture is drawn with, in
@@ -35,7 +35,7 @@ const SIDE: f32 = 320.0;
 /// Side of the program's icon, in points.
 const LOGO: f32 = 72.0;
 /// Size of a tile, in points.
-const TILE: egui::Vec2 = vec2(204.0, 72.0);
+const TILE: egui::Vec2 = vec2(192.0, 72.0);
 /// Largest number of recent files that are shown.
 const MOST_RECENT: usize = 12;
 
@@ -67,17 +67,23 @@ struct StartTile {
     is_first: bool,
 }
 
-static TILES: [StartTile; 4] = [
+static TILES: [StartTile; 5] = [
     StartTile {
         title: "Take the tour",
         text: "Your first look, from nothing, in two minutes",
-        command: Command::StartTour,
+        command: Command::StartTour(TourTopic::Look),
         is_first: true,
     },
     StartTile {
         title: "New look",
         text: "A base and one light to begin with",
         command: Command::New,
+        is_first: false,
+    },
+    StartTile {
+        title: "Light a scene",
+        text: "Three gray objects: key, rim, shadows, links, mixer",
+        command: Command::StartTour(TourTopic::Lights),
         is_first: false,
     },
     StartTile {

@@ -23,6 +23,10 @@ pub(crate) enum Spot {
     Input(PortName),
     /// The button that saves.
     Save,
+    /// The menu that adds a light to the scene.
+    AddSceneLight,
+    /// The switch that places lights.
+    PlaceLight,
 }
 
 /// Positions on the screen, each with the frame that it was seen in.

@@ -5,8 +5,7 @@ use eframe::egui::{
     StrokeKind, Ui, Vec2, pos2, vec2,
 };
 
-use super::NEXT;
-use super::steps::{STEPS, Step};
+use super::{Step, TourTexts};
 use crate::commands::Command;
 use crate::state::session::Session;
 use crate::widgets::spots::{self, Spot};
@@ -34,6 +33,8 @@ pub(super) enum Answer {
 #[derive(Clone, Copy)]
 pub(super) struct TourProgress {
     pub(super) index: usize,
+    /// Number of steps.
+    pub(super) count: usize,
     pub(super) is_done: bool,
 }
 
@@ -50,7 +51,7 @@ pub(super) fn show(
         ring(ui, target);
     }
     let mut answer = None;
-    let title = format!("{}  ·  {} of {}", step.title, progress.index + 1, STEPS.len());
+    let title = format!("{}  ·  {} of {}", step.title, progress.index + 1, progress.count);
     // The step's panels are kept clear: they show what the artist does, and its effect.
     let clear = step.panels.iter().filter_map(|panel| spots::find(ui.ctx(), &Spot::Panel(*panel)));
     card(ui, target, &clear.collect::<Vec<_>>(), |ui| {
@@ -94,26 +95,15 @@ pub(super) fn show(
 }
 
 /// Shows suggestions after the last step. Returns the chosen command, and true if the tour is over.
-pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
+pub(super) fn last(ui: &Ui, session: &Session, texts: &TourTexts) -> (Option<Command>, bool) {
     let (mut next, mut answer) = (None, None);
     card(ui, None, &[], |ui| {
-        head(ui, "This is your look", &mut answer);
-        let count =
-            session.look().graph.nodes.values().filter(|node| node.kind == "light_layer").count();
-        let text = format!(
-            "{count} {} over a base: everything in Chiaro is made this way. The graph in the \
-             middle is the same look, \
-             where anything can be wired to anything.",
-            if count == 1 { "layer" } else { "layers" }
-        );
-        ui.label(text);
-        let text = "Drop a mesh of yours on the window to see it there. Copy as, above, takes the \
-                    picture or the shader \
-                    with you.";
-        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        head(ui, texts.title, &mut answer);
+        ui.label((texts.made)(session));
+        ui.label(RichText::new(texts.more).color(theme::of(ui).dim));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            for (label, help, command) in &NEXT {
+            for (label, help, command) in texts.next {
                 if ui.button(*label).on_hover_text(*help).clicked() {
                     next = Some(command.clone());
                 }
@@ -145,7 +135,7 @@ fn dots(ui: &mut Ui, progress: TourProgress) {
     let (rect, _) =
         ui.allocate_exact_size(vec2(ui.available_width(), 14.0), eframe::egui::Sense::hover());
     let colors = theme::of(ui);
-    for index in 0..STEPS.len() {
+    for index in 0..progress.count {
         let at = pos2(rect.left() + 4.0 + index as f32 * 13.0, rect.center().y);
         let is_behind = index < progress.index || index == progress.index && progress.is_done;
         match (is_behind, index == progress.index) {

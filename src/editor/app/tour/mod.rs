@@ -1,37 +1,73 @@
-//! Tour of two minutes that makes a first look from nothing. Each step stands beside the control
+//! Tours of a few minutes: one makes a first look from nothing, one lights a gray scene. Each step stands beside the control
 //! that it is about, and reports when the artist has really done it: steps look at the document,
 //! never at clicks. Only the artist goes on, by one button, so that there is all the time in the
 //! world to play with the newly found control. The tour keeps nobody from anything, and whatever is
 //! done on it is the artist's own work, with undo.
 
 mod card;
-mod steps;
+mod lights;
+mod look;
 
 use eframe::egui::Ui;
 use glam::DQuat;
 
-use crate::commands::Command;
-use crate::document::Look;
+use crate::commands::{Command, PanelId, TourTopic};
+use crate::document::{Look, Scene};
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
+use crate::widgets::spots::Spot;
 use card::{Answer, TourProgress};
-use steps::STEPS;
 
-/// Text of the look that the tour begins with: a base, and a light that nothing is lit by yet.
-pub(crate) const NOTHING: &str = r##"{
-  "chiaro": "look",
-  "version": 1,
-  "name": "First look",
-  "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
-  "nodes": [
-    {"id": "base", "kind": "base", "at": [0, 0], "values": {"color": [0.5, 0.5, 0.5]}},
-    {"id": "output", "kind": "output", "at": [520, 0]}
-  ],
-  "wires": [{"from": "base", "to": "output.color"}]
-}"##;
+/// Step of a tour.
+struct Step {
+    title: &'static str,
+    /// Instruction of the step.
+    task: &'static str,
+    /// Reason for the step.
+    reason: &'static str,
+    /// Panels that are brought to the front for the step.
+    panels: &'static [PanelId],
+    /// Targets to point at: the first of these that is on the screen.
+    spots: fn(&Session) -> Vec<Spot>,
+    /// True if the step is done, compared with the state when it was first shown.
+    is_done: fn(&Session, &StepStart) -> bool,
+    /// Commands that do the step in the artist's place; none where there is nothing to do it to.
+    show: fn(&Session) -> Vec<Command>,
+}
+
+/// Texts of the card after the last step.
+struct TourTexts {
+    title: &'static str,
+    /// What was made.
+    made: fn(&Session) -> String,
+    more: &'static str,
+    /// Suggestions: label, help and command of each.
+    next: &'static [(&'static str, &'static str, Command)],
+}
+
+/// A tour, as data.
+struct TourRow {
+    steps: &'static [Step],
+    texts: TourTexts,
+    /// Begins the documents of the tour.
+    begin: fn(&mut Session),
+}
+
+fn row(topic: TourTopic) -> &'static TourRow {
+    match topic {
+        TourTopic::Look => &look::TOUR,
+        TourTopic::Lights => &lights::TOUR,
+    }
+}
+
+/// Begins the documents of a tour, in place of those that are open.
+pub(crate) fn begin(topic: TourTopic, session: &mut Session) {
+    (row(topic).begin)(session);
+}
 
 /// Tour while it goes on.
 pub(crate) struct Tour {
+    topic: TourTopic,
     /// Number of the document that the tour is about: with another document the tour ends.
     document: DocumentNumber,
     /// Index of the shown step; after the last one, suggestions are shown.
@@ -45,13 +81,15 @@ pub(crate) struct Tour {
 /// State of the session that a step compares with.
 struct StepStart {
     look: Look,
+    scene: Option<Scene>,
     illumination: DQuat,
 }
 
 impl Tour {
-    /// Begins a tour of the open look, which should be [`NOTHING`].
-    pub(crate) fn new(session: &Session) -> Self {
-        Self { document: session.revisions().document, step: 0, seen: Vec::new(), is_new: true }
+    /// Begins a tour of the open documents, which should be those of [`begin`].
+    pub(crate) fn new(topic: TourTopic, session: &Session) -> Self {
+        let document = session.revisions().document;
+        Self { topic, document, step: 0, seen: Vec::new(), is_new: true }
     }
 
     /// True if the tour is about the open document.
@@ -62,20 +100,22 @@ impl Tour {
     /// Shows the step. Returns the commands of the step, and true while the tour goes on.
     pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> (Vec<Command>, bool) {
         let mut out = Vec::new();
-        let Some(step) = STEPS.get(self.step) else {
-            let (next, is_over) = card::last(ui, session);
+        let TourRow { steps, texts, .. } = row(self.topic);
+        let Some(step) = steps.get(self.step) else {
+            let (next, is_over) = card::last(ui, session, texts);
             out.extend(next);
             return (out, !is_over);
         };
         if self.seen.len() == self.step {
             let illumination = session.view.orbit.illumination;
-            self.seen.push(StepStart { look: session.look().clone(), illumination });
+            let scene = session.open_scene().map(|open_scene| open_scene.scene().clone());
+            self.seen.push(StepStart { look: session.look().clone(), scene, illumination });
         }
         if std::mem::take(&mut self.is_new) {
             out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
         }
         let is_done = (step.is_done)(session, &self.seen[self.step]);
-        let progress = TourProgress { index: self.step, is_done };
+        let progress = TourProgress { index: self.step, count: steps.len(), is_done };
         let help = (step.show)(session);
         match card::show(ui, session, step, progress, !help.is_empty()) {
             Some(Answer::Show) => out.extend(help),
@@ -92,14 +132,3 @@ impl Tour {
         self.is_new = true;
     }
 }
-
-/// Suggestions at the end of the tour.
-static NEXT: [(&str, &str, Command); 3] = [
-    (
-        "See the examples",
-        "All of them, as pictures: open one and take it apart",
-        Command::ShowStart(true),
-    ),
-    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
-    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Command::OpenPalette),
-];

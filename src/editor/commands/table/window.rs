@@ -4,7 +4,9 @@ use eframe::egui::Key;
 
 use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
-use crate::commands::{Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, Switch};
+use crate::commands::{
+    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, Switch, TourTopic,
+};
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
 
@@ -22,7 +24,10 @@ pub(super) fn files() -> Vec<CommandRow> {
         row(C::Undo, "Undo", &[(CTRL, Key::Z)], Window),
         row(C::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),
         row(C::ShowStart(true), "Start page", &[(ALT, Key::Home)], Window).in_menu(Menu::Help),
-        row(C::StartTour, "Take the tour", &[], Window).in_menu(Menu::Help),
+        row(C::StartTour(TourTopic::Look), "Take the tour", &[], Window).in_menu(Menu::Help),
+        row(C::StartTour(TourTopic::Lights), "Light a scene (tour)", &[], Window)
+            .help("Key, rim and eye light, links, a shadow and the mixer, on three gray objects")
+            .in_menu(Menu::Help),
         row(C::CopyPicture, "Copy the picture as an image", &[(CTRL_SHIFT, Key::I)], Window)
             .in_menu(Menu::CopyAs),
         row(C::CopyWgsl, "Copy the shader as WGSL", &[(CTRL_SHIFT, Key::W)], Window)

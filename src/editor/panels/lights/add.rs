@@ -12,6 +12,7 @@ use crate::ids::{LightId, make_slug};
 use crate::state::reading::{light_name, spoken};
 use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
+use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 
 /// Shows the menus above the list.
@@ -55,6 +56,7 @@ pub(in crate::panels) fn menus(
             hint(ui, "Every light of the scene's looks has one in its place already.");
         }
     });
+    spots::note(ui, Spot::AddSceneLight, menu.response.rect);
     menu.response.on_hover_text(
         "Adds a light of the scene: a new one for groups that run for each light, or one in place \
          of a light that looks have",

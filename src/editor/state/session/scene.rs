@@ -44,7 +44,12 @@ impl Session {
         };
         let wear = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
         wear.filter(|look| **look == first).for_each(|look| OPEN_LOOK.clone_into(look));
-        self.start_from(&text, name);
+        self.start_scene_around(scene, &text, name);
+    }
+
+    /// Begins a new scene around a new look of a text, which its objects wear as the open one.
+    pub(crate) fn start_scene_around(&mut self, scene: Scene, text: &str, name: &str) {
+        self.start_from(text, name);
         self.open_scene = Some(OpenScene::unsaved(scene));
         self.keep_scene();
         self.scene_changed();

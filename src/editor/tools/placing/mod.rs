@@ -26,6 +26,7 @@ use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use crate::widgets::icon::icon_toggle;
+use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 use work::{PlacingAnswer, PlacingRequest, PlacingTask, SurfaceAnswer, WantedMark};
 
@@ -362,6 +363,7 @@ impl PlacingTool {
             painter.line_segment([light.lerp(place, 0.45), light.lerp(place, 0.75)], stroke);
             painter.circle_filled(place, 1.6, stroke.color);
         });
+        spots::note(ui, Spot::PlaceLight, button.rect);
         if button.on_hover_text(help).clicked() {
             out.push(command);
         }

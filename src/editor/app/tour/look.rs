@@ -1,31 +1,14 @@
-//! Steps of the tour, as data: the text of each, its target, the test of whether it is done, and
-//! the commands that do it.
+//! Tour of a first look: the text of each step, its target, the test of whether it is done, and the
+//! commands that do it.
 
-use super::StepStart;
-use crate::commands::{Command, PanelId, ViewCommand};
+use super::{Step, StepStart, TourRow, TourTexts};
+use crate::commands::{Command, PanelId, TourTopic, ViewCommand};
 use crate::document::{Edit, GraphId, Node, Value};
 use crate::ids::NodeId;
 use crate::panels::layers;
 use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::widgets::spots::Spot;
-
-/// Step of the tour.
-pub(super) struct Step {
-    pub(super) title: &'static str,
-    /// Instruction of the step.
-    pub(super) task: &'static str,
-    /// Reason for the step.
-    pub(super) reason: &'static str,
-    /// Panels that are brought to the front for the step.
-    pub(super) panels: &'static [PanelId],
-    /// Targets to point at: the first of these that is on the screen.
-    pub(super) spots: fn(&Session) -> Vec<Spot>,
-    /// True if the step is done, compared with the state when it was first shown.
-    pub(super) is_done: fn(&Session, &StepStart) -> bool,
-    /// Commands that do the step in the artist's place; none where there is nothing to do it to.
-    pub(super) show: fn(&Session) -> Vec<Command>,
-}
 
 /// Inputs of a layer that shape its profile.
 const PROFILE: [&str; 3] = ["offset", "falloff", "cutoff"];
@@ -34,8 +17,58 @@ const BLENDING: [&str; 2] = ["blend", "opacity"];
 /// Smallest turn of the lights that counts as one, in radians.
 const TURNED: f64 = 0.05;
 
+/// Text of the look that the tour begins with: a base, and a light that nothing is lit by yet.
+const NOTHING: &str = r##"{
+  "chiaro": "look",
+  "version": 1,
+  "name": "First look",
+  "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+  "nodes": [
+    {"id": "base", "kind": "base", "at": [0, 0], "values": {"color": [0.5, 0.5, 0.5]}},
+    {"id": "output", "kind": "output", "at": [520, 0]}
+  ],
+  "wires": [{"from": "base", "to": "output.color"}]
+}"##;
+
+/// The tour.
+pub(super) static TOUR: TourRow = TourRow {
+    steps: &STEPS,
+    texts: TourTexts {
+        title: "This is your look",
+        made: |session| {
+            let nodes = session.look().graph.nodes.values();
+            let count = nodes.filter(|node| node.kind == "light_layer").count();
+            format!(
+                "{count} {} over a base: everything in Chiaro is made this way. The graph in the \
+                 middle is the same look, where anything can be wired to anything.",
+                if count == 1 { "layer" } else { "layers" }
+            )
+        },
+        more: "Drop a mesh of yours on the window to see it there. Copy as, above, takes the \
+               picture or the shader with you.",
+        next: &NEXT,
+    },
+    begin: |session| session.start_from(NOTHING, "first look"),
+};
+
+/// Suggestions at the end of the tour.
+static NEXT: [(&str, &str, Command); 4] = [
+    (
+        "Light a scene",
+        "The tour of lights, links and shadows, on three gray objects",
+        Command::StartTour(TourTopic::Lights),
+    ),
+    (
+        "See the examples",
+        "All of them, as pictures: open one and take it apart",
+        Command::ShowStart(true),
+    ),
+    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
+    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Command::OpenPalette),
+];
+
 /// Steps from nothing to a look.
-pub(super) static STEPS: [Step; 7] = [
+static STEPS: [Step; 7] = [
     Step {
         title: "The base",
         task: "Click Base in the stack of layers, then change its color.",
