@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::editor_support::home::Home;
 use crate::editor_support::{User, close, set_text};
-use chiaro::document::{Light, Scene};
+use chiaro::document::{Light, Scene, Value};
 use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
 use eframe::egui::accesskit::Toggled;
@@ -220,6 +220,105 @@ fn values_of_a_look_are_keyed_from_their_cells() {
     let keys = &hand.look().time_keys[0].keys;
     assert_eq!((keys.len(), &keys[0].value), (1, &chiaro::document::Value::Number(3.0)));
     assert!(close(hand.look().lights["key"].intensity, 1.0), "the key has it, not the light");
+}
+
+#[test]
+fn values_of_a_scenes_lights_are_keyed_from_their_cells() {
+    let home = Home::new();
+    let mut hand = lit_window(&home, "Light table");
+    let before = hand.steps();
+    let (from, to) = (at(&hand, "Intensity of back"), at(&hand, "Intensity of fill"));
+    hand.drag(from, to);
+    hand.type_text("k");
+    hand.settle();
+    assert_eq!((scene(&hand).time_keys.len(), hand.steps()), (2, before + 1), "one step");
+    assert_eq!(told(&hand, "Intensity of back"), "2, keyed");
+    assert!(hand.look().time_keys.is_empty(), "they are the scene's");
+    // The timeline has them; a value that is set at another time is another key.
+    show(&mut hand, "Timeline");
+    let key = hand.place("Time key 1 of back of the scene: Intensity").center();
+    let ruler = hand.place("Playhead");
+    hand.click(Pos2::new(key.x + 0.25 * ruler.width(), ruler.top() + 6.0));
+    hand.settle();
+    let time = hand.app().session().view().time();
+    assert!(time > 0.1, "{time}");
+    hand.tab("Light table");
+    let cell = at(&hand, "Intensity of back");
+    hand.click(cell);
+    enter(&mut hand, "4");
+    let track = &scene(&hand).time_keys[0];
+    let values: Vec<_> = track.keys.iter().map(|key| &key.value).collect();
+    assert_eq!(values, [&Value::Number(2.0), &Value::Number(4.0)]);
+    assert!(close(light(&hand, "back").intensity, 2.0), "the keys have it, not the light");
+    let now = hand.app().session().keys().light(&"back".into()).unwrap().intensity;
+    assert!(close(now, 4.0), "{now}");
+    for _ in 0..2 {
+        hand.undo();
+    }
+    assert!(scene(&hand).time_keys.is_empty());
+    // Lights has the diamond, with the same menu: keys by the view.
+    hand.tab("Lights");
+    let header = hand.harness.query_all_by_label_contains("back").count();
+    assert!(header > 0);
+}
+
+#[test]
+fn columns_of_the_light_table_are_remembered() {
+    let home = Home::new();
+    let mut hand = lit_window(&home, "Light table");
+    let has = |hand: &User, head: &str| {
+        hand.harness.query_by_role_and_label(Role::ColumnHeader, head).is_some()
+    };
+    assert!(has(&hand, "Sort by Groups"));
+    hand.press("Columns");
+    hand.press_a(Role::CheckBox, "Groups");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!has(&hand, "Sort by Groups"));
+    drop(hand);
+    let mut hand = home.window(Some(&home.file("lit.json")));
+    if hand.harness.query_by_role_and_label(Role::Tab, "Light table").is_some() {
+        hand.tab("Light table");
+    } else {
+        show(&mut hand, "Light table");
+    }
+    assert!(has(&hand, "Sort by Intensity") && !has(&hand, "Sort by Groups"), "as it was left");
+}
+
+#[test]
+fn lights_of_single_layers_are_said_for_an_object() {
+    let home = Home::new();
+    let mut hand = lit_window(&home, "Light table");
+    let (id, node) = {
+        let nodes = &hand.look().graph.nodes;
+        let found = nodes.iter().find(|(_, node)| node.kind == "light_layer");
+        let (id, node) = found.expect("the look has a layer");
+        let name = if node.name.is_empty() { format!("Light layer ({id})") } else { node.name.clone() };
+        (id.clone(), name)
+    };
+    hand.tab("Objects");
+    hand.press_a(Role::ListItem, "Object ring");
+    hand.bring(Role::Button, "Lights of its layers");
+    hand.press("Lights of its layers");
+    hand.bring(Role::Button, "Add a layer's lights");
+    let before = hand.steps();
+    hand.press("Add a layer's lights");
+    hand.press(&node);
+    assert_eq!(scene(&hand).objects["ring"].layers.len(), 1);
+    hand.bring(Role::TextInput, "Not reached by");
+    set_text(&mut hand, "Not reached by", "group:rim");
+    hand.key(Key::Enter);
+    hand.settle();
+    let row = &scene(&hand).objects["ring"].layers[0];
+    assert_eq!((&row.node, row.unlayered.text()), (&id, "group:rim"));
+    assert_eq!(row.layered.text(), "{source}");
+    hand.bring(Role::Button, &format!("{node} as the look has it"));
+    hand.press(&format!("{node} as the look has it"));
+    assert!(scene(&hand).objects["ring"].layers.is_empty());
+    while hand.steps() > before {
+        hand.undo();
+    }
+    assert!(scene(&hand).objects["ring"].layers.is_empty());
 }
 
 #[test]

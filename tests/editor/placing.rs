@@ -5,6 +5,7 @@ use std::fs;
 
 use chiaro::document::{Edit, GraphId, Light, LightKind, Value};
 use eframe::egui::{Key, Pos2, vec2};
+use egui_kittest::kittest::Queryable as _;
 use glam::{DQuat, DVec3};
 
 use crate::editor_support::{User, node_center};
@@ -291,4 +292,170 @@ fn the_handles_of_a_spot_move_and_aim_it() {
     hand.drag(from, to);
     assert!((key(&hand).outer - 0.7).abs() < 0.05, "{}", key(&hand).outer);
     assert_eq!(hand.app().session().steps().done(), steps + 3);
+}
+
+#[test]
+fn handles_of_lights_have_names_and_go_by_arrow_keys() {
+    let mut hand = on_ball();
+    let beside = at(&hand, 0.4, -0.4);
+    hand.hover(beside);
+    hand.settle();
+    let (old, steps) = (key(&hand), hand.app().session().steps().done());
+    hand.harness.get_by_label("Needle of key").focus();
+    hand.harness.run_steps(2);
+    hand.key(Key::ArrowRight);
+    hand.settle();
+    assert_ne!(key(&hand).direction, old.direction);
+    assert_eq!(hand.app().session().steps().done(), steps + 1);
+    hand.undo();
+    assert_eq!(key(&hand), old);
+}
+
+#[test]
+fn an_aimed_light_moves_around_its_object_by_its_needle() {
+    let folder = tempfile::tempdir().unwrap();
+    let look = r#"{"lights": {"key": {}},
+        "nodes": [{"id": "layer", "kind": "light_layer", "values": {"light": "key"}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "layer", "to": "output.color"}]}"#;
+    fs::write(folder.path().join("look.json"), look).unwrap();
+    let scene = r#"{"chiaro": "scene",
+        "lights": {"key": {"space": "world", "direction": [1, 0, 0], "position": [2, 1.5, 2],
+            "aimed_at": "ball"}},
+        "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
+        "camera": {"eye": [0, 0, 6]}}"#;
+    let path = folder.path().join("scene.json");
+    fs::write(&path, scene).unwrap();
+    let mut hand = User::with(move |ctx| {
+        let mut app = chiaro::editor::App::new(ctx, None).without_dialogs();
+        app.open(&path);
+        app
+    });
+    hand.settle();
+    let lamp =
+        |hand: &User| hand.app().session().open_scene().unwrap().scene().lights["key"].clone();
+    let old = lamp(&hand);
+    let place = DVec3::from(old.position);
+    // The needle ends 1.25 radii from the middle of the ball, toward the place.
+    let from = on_screen(&hand, place.normalize() * 1.25);
+    let wanted = DVec3::new(-0.5, 0.6, 0.62).normalize();
+    let to = on_screen(&hand, wanted * 1.25);
+    hand.drag(from, to);
+    hand.settle();
+    let new = lamp(&hand);
+    assert_eq!((new.direction, &new.aimed_at), (old.direction, &old.aimed_at));
+    let moved = DVec3::from(new.position);
+    assert!((moved.length() - place.length()).abs() < 1e-3, "as far as before: {moved}");
+    assert!(moved.angle_between(wanted) < 0.03, "{moved}");
+    hand.undo();
+    assert_eq!(lamp(&hand), old, "one step");
+}
+
+/// A window with a filter's node of a kind before the key light, which is selected.
+fn with_filter(kind: &str, light: Light) -> User {
+    let mut hand = on_ball();
+    let edit = Edit::SetLight { id: "key".into(), light };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    let place = hand.empty_place();
+    hand.add(kind, place);
+    if hand.look().graph.nodes[kind].values.get("light").is_none() {
+        let value = Value::Text("key".to_owned());
+        let (graph, id) = (GraphId::Look, kind.into());
+        let edit = Edit::SetValue { graph, id, port: "light".into(), value, index: None };
+        let _ = hand.app_mut().session_mut().apply(edit, None);
+    }
+    hand.app_mut().session_mut().select(vec![kind.into()]);
+    hand.settle();
+    hand
+}
+
+/// Value of an input of the filter.
+fn value_of(hand: &User, kind: &str, port: &str) -> Option<Value> {
+    hand.look().graph.nodes[kind].values.get(port).cloned()
+}
+
+#[test]
+fn filters_are_moved_turned_and_sized_in_the_picture() {
+    let spot = Light {
+        kind: LightKind::Spot,
+        position: [0.6, 0.7, 0.9],
+        aim: [-0.5, -0.6, -0.8],
+        ..Light::default()
+    };
+    let number = |value: Option<Value>| match value {
+        Some(Value::Number(number)) => number,
+        other => panic!("{other:?}"),
+    };
+    let vector = |value: Option<Value>| match value {
+        Some(Value::Vector(numbers)) => DVec3::from_slice(&numbers),
+        other => panic!("{other:?}"),
+    };
+    let middle = |hand: &User, name: &str| hand.place(name).center();
+    // What stands in the way: moved, sized, pointed elsewhere, turned; a step each.
+    let mut hand = with_filter("blocker", spot.clone());
+    let set = |hand: &mut User, port: &str, value: Value| {
+        let (graph, id) = (GraphId::Look, "blocker".into());
+        let edit = Edit::SetValue { graph, id, port: port.into(), value, index: None };
+        hand.app_mut().session_mut().apply(edit, None).unwrap();
+        hand.settle();
+    };
+    set(&mut hand, "center", Value::Vector(vec![0.1, 0.4, 0.5]));
+    set(&mut hand, "toward", Value::Vector(vec![0.0, 0.0, 1.0]));
+    set(&mut hand, "shape", Value::Text("box".to_owned()));
+    let steps = hand.app().session().steps().done();
+    let from = middle(&hand, "Center of Blocker");
+    let to = from + vec2(30.0, 25.0);
+    hand.drag(from, to);
+    hand.settle();
+    let center = vector(value_of(&hand, "blocker", "center"));
+    assert!(on_screen(&hand, center).distance(to) < 1.0 && (center.z - 0.5).abs() < 1e-3);
+    let (from, wanted) = (middle(&hand, "Width of Blocker"), center + DVec3::X * 0.5);
+    let to = on_screen(&hand, wanted);
+    hand.drag(from, to);
+    hand.settle();
+    let size = vector(value_of(&hand, "blocker", "size"));
+    assert!((size.x - 0.5).abs() < 0.01 && close_to(size.y, 0.3) && close_to(size.z, 0.3), "{size}");
+    let from = middle(&hand, "Spin of Blocker");
+    let turned = DQuat::from_rotation_z(0.6) * DVec3::X * 0.7;
+    let to = on_screen(&hand, center + turned);
+    hand.drag(from, to);
+    hand.settle();
+    assert!((number(value_of(&hand, "blocker", "spin")) - 0.6).abs() < 0.02);
+    assert_eq!(hand.app().session().steps().done(), steps + 3);
+    for _ in 0..3 {
+        hand.undo();
+    }
+    assert_eq!(value_of(&hand, "blocker", "size"), None, "as it was");
+    // Flaps, a distance, a thrown picture.
+    for (kind, handle, port) in [
+        ("barn_doors", "Left flap of Barn doors", "left"),
+        ("decay", "Start of Decay", "start"),
+        ("distance_ramp", "Far from of Distance ramp", "far_from"),
+        ("light_place", "Angle of Light place", "angle"),
+        ("gobo", "Spin of Gobo", "spin"),
+        ("rod", "Height of Rod", "size"),
+    ] {
+        let mut hand = with_filter(kind, spot.clone());
+        let steps = hand.app().session().steps().done();
+        let old = value_of(&hand, kind, port);
+        let from = middle(&hand, handle);
+        hand.drag(from, from + vec2(9.0, -14.0));
+        hand.settle();
+        let new = value_of(&hand, kind, port);
+        assert!(new.is_some() && new != old, "{handle}: {new:?}");
+        assert_eq!(hand.app().session().steps().done(), steps + 1, "{handle}");
+        hand.undo();
+        assert_eq!(value_of(&hand, kind, port), old, "{handle}");
+        let focus = hand.harness.get_by_label(handle);
+        focus.focus();
+        hand.harness.run_steps(2);
+        hand.key(Key::ArrowUp);
+        hand.key(Key::ArrowLeft);
+        hand.settle();
+        assert_ne!(value_of(&hand, kind, port), old, "{handle} by keys");
+    }
+}
+
+fn close_to(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-3
 }

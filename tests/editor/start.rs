@@ -590,6 +590,31 @@ fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
 }
 
 #[test]
+fn the_tour_of_lights_shows_every_step_and_ends_in_a_lit_scene() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    press(&mut hand, "Light a scene");
+    assert!(hand.app().is_on_tour() && !hand.app().shows_start_page());
+    let scene = |hand: &User| hand.app().session().open_scene().unwrap().scene().clone();
+    assert_eq!((scene(&hand).objects.len(), scene(&hand).lights.len()), (3, 0));
+    assert!(hand.app().session().compilation().problems().is_empty(), "the look is whole");
+    for step in 1..=8 {
+        assert!(hand.says(&format!("{step} of 8")));
+        assert!(has(&hand, "Skip"), "step {step} is not done yet");
+        press(&mut hand, "Show me");
+        assert!(!has(&hand, "Skip"), "step {step} is done");
+        press(&mut hand, "Next");
+    }
+    assert!(hand.says("3 lights of the scene"));
+    let lit = scene(&hand);
+    assert_eq!(lit.lights.len(), 3);
+    assert!(lit.light_groups["rim"].intensity < 1.0);
+    assert_eq!(lit.objects["ball"].linked.text(), "* - eye");
+    press(&mut hand, "Probe pixel");
+    assert!(!hand.app().is_on_tour() && hand.app().probe().is_on());
+}
+
+#[test]
 fn the_tour_can_be_left_gone_back_in_and_undone() {
     let home = Home::new();
     let mut hand = on_tour(&home);

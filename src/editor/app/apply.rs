@@ -124,6 +124,9 @@ impl App {
             }
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
+            Command::KeepLightColumns(columns) => {
+                self.safety.change_settings(|settings| settings.light_columns = columns);
+            }
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {
                 for command in self.bench.links.link_pointed(&self.session, is_linked) {

@@ -18,6 +18,7 @@ mod scene;
 pub(crate) mod table;
 mod tour;
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use eframe::egui;
@@ -104,6 +105,8 @@ pub(crate) enum Command {
     ShowReference(Option<PathBuf>),
     /// Shows layers or lights alone, or leaves lights out; the document is unchanged.
     Solo(Solo),
+    /// Remembers columns of the light table that are shown or hidden by hand, by their words.
+    KeepLightColumns(BTreeMap<String, bool>),
     /// Chooses the light that handles, placing and looking through are of.
     ChooseLight(LightId),
     /// Links the lights that are selected in the links' pane to the object under the pointer, or

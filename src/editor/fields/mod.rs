@@ -2,6 +2,7 @@
 //! parameters.
 
 pub(crate) mod constant_wires;
+pub(crate) mod filter;
 pub(crate) mod keyed;
 pub(crate) mod layer;
 pub(crate) mod lighting;

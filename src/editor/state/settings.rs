@@ -1,6 +1,7 @@
 //! Settings that the window remembers from one start to the next. A setting that cannot be
 //! understood has its default, and members that this version does not know stay in the file.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -43,6 +44,8 @@ pub struct Settings {
     pub mesh: Option<String>,
     /// True if that mesh lies on its back and was stood up: its z axis points up.
     pub z_is_up: bool,
+    /// Columns of the light table that were shown or hidden by hand, by their words.
+    pub light_columns: BTreeMap<String, bool>,
     /// Settings of other versions, kept as they are.
     unknown: Map<String, Value>,
 }
@@ -56,6 +59,7 @@ impl Default for Settings {
             layout: None,
             mesh: None,
             z_is_up: false,
+            light_columns: BTreeMap::new(),
             unknown: Map::new(),
         }
     }
@@ -82,7 +86,8 @@ impl Settings {
         let layout = Some(take("layout")).filter(|layout| !layout.is_null());
         let mesh = take("mesh").as_str().map(str::to_owned);
         let z_is_up = take("z_is_up").as_bool().unwrap_or_default();
-        Self { recent, theme, scale, layout, mesh, z_is_up, unknown: members }
+        let light_columns = serde_json::from_value(take("light_columns")).unwrap_or_default();
+        Self { recent, theme, scale, layout, mesh, z_is_up, light_columns, unknown: members }
     }
 
     fn to_text(&self) -> String {
@@ -95,6 +100,10 @@ impl Settings {
         members.extend(self.mesh.clone().map(|mesh| ("mesh".into(), mesh.into())));
         if self.z_is_up {
             members.insert("z_is_up".into(), true.into());
+        }
+        if !self.light_columns.is_empty() {
+            let columns = serde_json::to_value(&self.light_columns).unwrap_or_default();
+            members.insert("light_columns".into(), columns);
         }
         members.extend(self.unknown.clone());
         let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
@@ -157,6 +166,7 @@ mod tests {
         let mut settings = Settings { theme: Theme::Light, scale: 1.5, ..Settings::default() };
         settings.layout = Some(serde_json::json!({"left": 0.3}));
         settings.mesh = Some("shape:torus".to_owned());
+        settings.light_columns.insert("range".to_owned(), false);
         settings.opened(Path::new("/a/one.json"));
         settings.save(&path).unwrap();
         assert_eq!(Settings::load(&path), settings);

@@ -38,8 +38,10 @@ impl Viewport {
                         1 => "1 object".to_owned(),
                         count => format!("{count} objects"),
                     };
-                    let label = ui.link(format!("{}, {text}", open_scene.name()));
-                    if label.on_hover_text("Shows the objects of the scene").clicked() {
+                    // The scene's name stands in the title already: the number of its objects is
+                    // what a narrow picture has room for.
+                    let help = format!("Shows the objects of {}", open_scene.name());
+                    if ui.link(text).on_hover_text(help).clicked() {
                         out.push(Command::ShowPanel(PanelId::OBJECTS));
                     }
                 }

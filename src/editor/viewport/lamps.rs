@@ -1,5 +1,5 @@
-//! Handles of lamps: the place of every point and spot light, and for the selected one a spot's
-//! aim, the rims of its cones, and the distances at which a lamp fades and ends.
+//! Handles of lamps: the place of every point and spot light, and of each directional light that is
+//! aimed at an object from there; for the light at hand a spot's aim, the rims of its cones, and the distances at which a lamp fades and ends.
 //!
 //! A place and an aim are dragged across the picture, at their depth. Cones are drawn on a ball
 //! around the lamp, so that they may be as wide as they like; distances as circles that face the
@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use eframe::egui::{Color32, Id, Pos2, Rect, Shape, Stroke, Ui};
 use glam::DVec3;
 
-use super::lights::{paint_middle, resolved};
+use super::lights::{aim_place, paint_middle, resolved};
 use super::project;
 use crate::commands::Command;
 use crate::compile::LightValues;
@@ -43,6 +43,18 @@ pub(super) enum LampHandle {
 }
 
 impl LampHandle {
+    /// Name of the handle, without its light.
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::Place => "Place",
+            Self::Aim => "Aim",
+            Self::Cone(LightField::Inner) => "Full cone",
+            Self::Cone(_) => "Whole cone",
+            Self::Distance(LightField::HalfDistance) => "Half distance",
+            Self::Distance(_) => "Range",
+        }
+    }
+
     /// Hint on the drag.
     pub(super) fn hint(self, name: &str) -> String {
         match self {
@@ -72,7 +84,10 @@ impl<'a> LampInScene<'a> {
     fn of(light: &'a Light, session: &Session) -> Option<Self> {
         let (_, radius) = sphere_of_lights(session.open_scene());
         let values = resolved(light, session);
-        (light.kind != LightKind::Directional).then_some(Self {
+        // A directional light has a place where that says whence it shines at an object.
+        let has_place =
+            light.kind != LightKind::Directional || aim_place(light, session).is_some();
+        has_place.then_some(Self {
             light,
             values,
             length: AXIS * radius,
@@ -112,6 +127,9 @@ impl<'a> LampInScene<'a> {
     /// Lines of the selected lamp.
     fn lines(&self) -> Vec<LampHandle> {
         let mut lines = Vec::new();
+        if self.light.kind == LightKind::Directional {
+            return lines;
+        }
         if self.light.kind == LightKind::Spot {
             lines.extend([LightField::Outer, LightField::Inner].map(LampHandle::Cone));
         }
@@ -133,6 +151,27 @@ fn lamps(session: &Session) -> impl Iterator<Item = (&LightId, LampInScene<'_>, 
         let is_selected = selected.as_ref() == Some(id);
         Some((id, LampInScene::of(light, session)?, is_selected))
     })
+}
+
+/// Handles of a light that stands in the scene, with their places on the screen; those of lines and
+/// the aim only while the light is at hand.
+pub(super) fn places(session: &Session, id: &LightId, rect: Rect) -> Vec<(LampHandle, Pos2)> {
+    let Some(lamp) = session.keys().light(id).and_then(|light| LampInScene::of(light, session))
+    else {
+        return Vec::new();
+    };
+    let mut found = vec![(LampHandle::Place, Some(lamp.values.position()))];
+    if layer::light_at_hand(session).as_ref() == Some(id) {
+        if lamp.light.kind == LightKind::Spot {
+            found.push((LampHandle::Aim, Some(lamp.aim_end())));
+        }
+        let lines = lamp.lines().into_iter();
+        found.extend(lines.map(|handle| (handle, lamp.rim(handle, session).first().copied())));
+    }
+    let on_screen = |(handle, point): (LampHandle, Option<DVec3>)| {
+        Some((handle, project(point?, rect, session)?))
+    };
+    found.into_iter().filter_map(on_screen).collect()
 }
 
 /// Handle under the pointer.
@@ -262,6 +301,14 @@ pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, held: Option<(&Light
                     painter.add(Shape::line(points, Stroke::new(1.5, color)));
                 }
             }
+        }
+        if lamp.light.kind == LightKind::Directional
+            && let Some(aim) = aim_place(lamp.light, session)
+            && let Some(to) = project(aim, rect, session)
+        {
+            let line = Shape::dashed_line(&[at, to], Stroke::new(1.5, color), 5.0, 4.0);
+            painter.line_segment([at, to], Stroke::new(3.5, theme::HALO.gamma_multiply(0.7)));
+            painter.extend(line);
         }
         if lamp.light.kind == LightKind::Spot
             && let Some(to) = project(lamp.aim_end(), rect, session)

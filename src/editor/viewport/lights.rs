@@ -42,7 +42,7 @@ enum Grip {
     /// The end of the light's needle: whether it is behind the object, and whether the drag has
     /// left the ball.
     Needle { is_behind: bool, is_outside: bool },
-    /// A handle of a point or spot light.
+    /// A handle of a point or spot light, or of another that has a place.
     Lamp(LampHandle),
 }
 
@@ -86,6 +86,13 @@ impl HeldLight {
             }
             Grip::Lamp(handle) => handle.hint(&name),
             Grip::Needle { .. } => {
+                let aimed_at =
+                    session.keys().light(&self.light).and_then(|light| light.aimed_at.as_ref());
+                if let Some(object) = aimed_at {
+                    return format!(
+                        "Drag to move the light {name} around {object}, which it stays aimed at"
+                    );
+                }
                 format!(
                     "Drag to turn the light {name} around the object; over the rim and back takes \
                      it to the other side"
@@ -93,6 +100,46 @@ impl HeldLight {
             }
         }
     }
+}
+
+/// Handle of a light on the screen, for who finds it by its name.
+pub(super) struct NamedHandle {
+    pub(super) name: String,
+    pub(super) at: Pos2,
+    pub(super) held: HeldLight,
+}
+
+/// Handles of the lights that shine: ends of needles, and what lamps have.
+pub(super) fn named(session: &Session, rect: Rect) -> Vec<NamedHandle> {
+    let full_name = |id: &LightId| {
+        OwnedLight::lighting(session, id)
+            .map_or_else(|| id.to_string(), |owned_light| owned_light.full_name())
+    };
+    let (center, radius) = sphere_of_lights(session.open_scene());
+    let mut found = Vec::new();
+    for (id, light) in session.keys().shining() {
+        let name = full_name(id);
+        if light.kind == LightKind::Directional {
+            let toward = resolved(light, session).direction();
+            let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
+            let grip = Grip::Needle { is_behind, is_outside: false };
+            let held = HeldLight { light: id.clone(), grip };
+            if let Some(at) = project(center + toward * NEEDLE[1] * radius, rect, session) {
+                found.push(NamedHandle { name: format!("Needle of {name}"), at, held });
+            }
+        }
+        for (handle, at) in lamps::places(session, id, rect) {
+            let held = HeldLight { light: id.clone(), grip: Grip::Lamp(handle) };
+            found.push(NamedHandle { name: format!("{} of {name}", handle.label()), at, held });
+        }
+    }
+    found.retain(|handle| rect.contains(handle.at));
+    found
+}
+
+/// Place of the object that a light is aimed at, in world space.
+pub(super) fn aim_place(light: &Light, session: &Session) -> Option<DVec3> {
+    session.keys().light_frames().aims.get(light.aimed_at.as_ref()?).copied()
 }
 
 /// Values of a light at the present place of the camera.
@@ -155,11 +202,17 @@ pub(super) fn drag(
     };
     let own = |place: DVec3| values.own_from_world * (place - values.own_origin);
     let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
-    let (field, old, new) = match light.kind {
-        LightKind::Directional => {
+    let (field, old, new) = match (light.kind, aim_place(light, session)) {
+        // A light that is aimed at an object shines from its place, whatever its direction is.
+        (LightKind::Directional, Some(aim)) => {
+            let distance = values.position().distance(aim);
+            let distance = if distance > 1e-6 { distance } else { 1.0 };
+            ("position", light.position, short(own(aim + toward * distance)))
+        }
+        (LightKind::Directional, None) => {
             ("direction", light.direction, short(values.own_from_world * toward))
         }
-        LightKind::Point | LightKind::Spot => {
+        (LightKind::Point | LightKind::Spot, _) => {
             let distance = values.position().distance(place);
             ("position", light.position, short(own(place + toward * distance)))
         }

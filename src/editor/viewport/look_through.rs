@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use eframe::egui::Id;
 use glam::DVec3;
 
-use super::lights::resolved;
+use super::lights::{aim_place, resolved};
 use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Camera, Light, LightKind, LightSpace, Projection};
@@ -85,7 +85,7 @@ impl LookThrough {
         let light = light_in_view(session, &self.id)?;
         let values = resolved(light, session);
         if place(view) != place(&self.view) {
-            let new = light_from(view, &values, light);
+            let new = light_from(view, &values, light, aim_place(light, session));
             self.view = view.clone();
             self.values = resolved(&new, session);
             let change = set_light_like(session, &self.id, &new)?;
@@ -138,16 +138,26 @@ fn view_of(values: &LightValues, light: &Light, old: &Orbit, session: &Session) 
 }
 
 /// The light that is looked through by a view.
-fn light_from(view: &Orbit, values: &LightValues, light: &Light) -> Light {
+fn light_from(
+    view: &Orbit,
+    values: &LightValues,
+    light: &Light,
+    aim: Option<DVec3>,
+) -> Light {
     let written = |v: DVec3| v.to_array().map(|x| (x * DECIMALS).round() / DECIMALS + 0.0);
     let backward = view.direction();
     let mut new = light.clone();
+    let from = |place: DVec3| written(values.own_from_world * (place - values.own_origin));
+    if let Some(aim) = aim.filter(|_| light.kind == LightKind::Directional) {
+        new.position = from(aim + backward * values.position().distance(aim));
+        return new;
+    }
     if light.kind == LightKind::Directional {
         new.direction = written(values.own_from_world * backward);
         return new;
     }
     let eye = view.target + backward * view.distance;
-    new.position = written(values.own_from_world * (eye - values.own_origin));
+    new.position = from(eye);
     if light.kind == LightKind::Spot {
         new.aim = written(values.own_from_world * -backward);
     }

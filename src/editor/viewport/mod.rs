@@ -2,15 +2,17 @@
 //! the wheel moves the camera nearer.
 //!
 //! `surface` holds the visible surface at each pixel; on it `isocurves` draws the selected layer's
-//! lines, which are dragged there, `lights` the handles of lights, and `strip` the values that have
-//! no place on the object.
+//! lines, which are dragged there, `lights` the handles of lights, `filters` those of what stands in
+//! their way, and `strip` the values that have no place on the object.
 
 mod arrows;
 mod backdrop;
 mod bar;
 mod export;
 mod field;
+mod filters;
 mod hints;
+mod keyboard_handles;
 mod isocurves;
 mod lamps;
 mod lights;
@@ -278,6 +280,10 @@ impl Viewport {
             mark(tools, ui, rect);
         } else if handles.is_on && !tools.of::<FitTool>().is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
+            out.extend(keyboard_handles::show(ui, rect, session));
+            if owner.is_none() && filters::show(ui, rect, session, &mut out) {
+                self.hint.clear();
+            }
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
             if is_held || hovered.is_some() {
                 ui.ctx().set_cursor_icon(if is_held {

@@ -49,7 +49,7 @@ pub(crate) fn handle(
 }
 
 /// Presses of arrow keys, which would otherwise move the focus; with Shift each counts a tenth.
-fn arrows(ui: &Ui, id: Id) -> Vec2 {
+pub(crate) fn arrows(ui: &Ui, id: Id) -> Vec2 {
     let filter =
         EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));

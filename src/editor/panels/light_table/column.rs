@@ -81,6 +81,21 @@ impl Column {
         })
     }
 
+    /// Word that settings keep the column by.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Shines => "shines",
+            Self::Solo => "solo",
+            Self::Name => "name",
+            Self::Id => "id",
+            Self::Kind => "type",
+            Self::Groups => "groups",
+            Self::Space => "space",
+            Self::Exposure => "exposure of groups",
+            Self::Field(field) => field.name(),
+        }
+    }
+
     /// Name of the column.
     pub(super) fn label(self) -> &'static str {
         match self {

@@ -18,7 +18,7 @@ mod selection;
 mod sheet;
 mod typed;
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use eframe::egui;
 use eframe::egui::{Id, RichText, Role, TextEdit, Ui, WidgetInfo};
@@ -42,7 +42,11 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     "Light table",
     "All lights and groups as a table: set, key and compare any field of many at once",
     PanelPlace::BELOW_GRAPH,
-    |bench, ui, context| bench.memory.of::<LightTable>().show(ui, context.session),
+    |bench, ui, context| {
+        let table = bench.memory.of::<LightTable>();
+        table.columns.clone_from(&context.safety.settings.light_columns);
+        table.show(ui, context.session)
+    },
 );
 
 /// Width of the filter's field, in points.
@@ -57,8 +61,8 @@ pub(crate) struct LightTable {
     grid: CellGrid,
     /// Text of the set whose lights are listed; empty for all.
     filter: String,
-    /// Columns that were shown or hidden by hand.
-    columns: HashMap<Column, bool>,
+    /// Columns that were shown or hidden by hand, by their words: the settings keep them.
+    columns: BTreeMap<String, bool>,
 }
 
 impl LightTable {
@@ -99,14 +103,21 @@ impl LightTable {
             out.push(Command::ChooseLight(id));
         }
         if let Some(column) = self.grid.hidden.take() {
-            self.columns.insert(column, false);
+            out.push(self.keeping(column, false));
         }
         out
     }
 
+    /// Command that remembers whether a column is shown.
+    fn keeping(&self, column: Column, is_shown: bool) -> Command {
+        let mut columns = self.columns.clone();
+        columns.insert(column.word().to_owned(), is_shown);
+        Command::KeepLightColumns(columns)
+    }
+
     /// True if a column is shown: as it was chosen, or else if any light has such a field.
     fn is_shown(&self, column: Column) -> bool {
-        self.columns.get(&column).copied().unwrap_or_else(|| match column {
+        self.columns.get(column.word()).copied().unwrap_or_else(|| match column {
             Column::Id | Column::Space => false,
             Column::Exposure => !self.lights.groups(None).is_empty(),
             Column::Field(field) => {
@@ -144,7 +155,7 @@ impl LightTable {
                 }
                 None => drop(response.on_hover_text(help)),
             }
-            self.columns_menu(ui);
+            self.columns_menu(ui, out);
             add::menus(ui, session, self.lights.shared(), out);
             for (panel, label, help) in [
                 (PanelId::MIXER, "Mixer", "The groups' masters, as faders"),
@@ -158,7 +169,7 @@ impl LightTable {
         ui.add_space(2.0);
     }
 
-    fn columns_menu(&mut self, ui: &mut Ui) {
+    fn columns_menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let menu = egui::containers::menu::MenuButton::new("Columns").config(
             egui::containers::menu::MenuConfig::new()
                 .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside),
@@ -168,13 +179,13 @@ impl LightTable {
                 let mut is_shown = self.is_shown(column);
                 let check = ui.checkbox(&mut is_shown, column.label());
                 if check.on_hover_text(column.help()).changed() {
-                    self.columns.insert(column, is_shown);
+                    out.push(self.keeping(column, is_shown));
                 }
             }
             ui.separator();
             let help = "Shows the columns that a light of the table has something in";
             if ui.button("Only what lights have").on_hover_text(help).clicked() {
-                self.columns.clear();
+                out.push(Command::KeepLightColumns(BTreeMap::new()));
             }
         });
         response.on_hover_text("Shows and hides columns");
