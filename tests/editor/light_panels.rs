@@ -293,7 +293,8 @@ fn lights_of_single_layers_are_said_for_an_object() {
         let nodes = &hand.look().graph.nodes;
         let found = nodes.iter().find(|(_, node)| node.kind == "light_layer");
         let (id, node) = found.expect("the look has a layer");
-        let name = if node.name.is_empty() { format!("Light layer ({id})") } else { node.name.clone() };
+        let name =
+            if node.name.is_empty() { format!("Light layer ({id})") } else { node.name.clone() };
         (id.clone(), name)
     };
     hand.tab("Objects");

@@ -414,7 +414,10 @@ fn filters_are_moved_turned_and_sized_in_the_picture() {
     hand.drag(from, to);
     hand.settle();
     let size = vector(value_of(&hand, "blocker", "size"));
-    assert!((size.x - 0.5).abs() < 0.01 && close_to(size.y, 0.3) && close_to(size.z, 0.3), "{size}");
+    assert!(
+        (size.x - 0.5).abs() < 0.01 && close_to(size.y, 0.3) && close_to(size.z, 0.3),
+        "{size}"
+    );
     let from = middle(&hand, "Spin of Blocker");
     let turned = DQuat::from_rotation_z(0.6) * DVec3::X * 0.7;
     let to = on_screen(&hand, center + turned);

@@ -58,10 +58,11 @@ impl<'s> SelectedFilter<'s> {
         let of = session.project.catalog.of(node)?;
         let name = if node.name.is_empty() { of.label.to_string() } else { node.name.clone() };
         let named = of.inputs.iter().find(|port| port.ty == Type::LightName);
-        let named = named.and_then(|port| match values::current(port, node.values.get(&port.name)) {
-            Some(Value::Text(id)) if !id.is_empty() => Some(LightId::new(id.as_str())),
-            _ => None,
-        });
+        let named =
+            named.and_then(|port| match values::current(port, node.values.get(&port.name)) {
+                Some(Value::Text(id)) if !id.is_empty() => Some(LightId::new(id.as_str())),
+                _ => None,
+            });
         let first = || session.look().lights.keys().next().cloned();
         let light = named.or_else(|| light_at_hand(session)).or_else(first);
         Some(Self { session, node: id.clone(), name, kind, of, light })

@@ -40,8 +40,7 @@ impl FieldTarget<'_> {
         if self.owned.keys.keyed_by(&self.target) != KeyedBy::Nothing {
             lines.push(mark::help(self.owned.keys, &self.target));
         }
-        if let Some(exposed) =
-            self.exposed().and_then(|index| self.owned.look().exposed.get(index))
+        if let Some(exposed) = self.exposed().and_then(|index| self.owned.look().exposed.get(index))
         {
             lines.push(format!("Exposed as \"{}\".", exposed.name));
         }
@@ -107,8 +106,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
 }
 
 fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
-    let is_timed =
-        marked.owned.look().time_keys.iter().any(|track| track.target == marked.target);
+    let is_timed = marked.owned.look().time_keys.iter().any(|track| track.target == marked.target);
     let text = if is_timed { "Key at the playhead" } else { "Key in time" };
     let help =
         "A key at the playhead with the value of now; setting it at another time adds another key";

@@ -85,13 +85,8 @@ impl<'a> LampInScene<'a> {
         let (_, radius) = sphere_of_lights(session.open_scene());
         let values = resolved(light, session);
         // A directional light has a place where that says whence it shines at an object.
-        let has_place =
-            light.kind != LightKind::Directional || aim_place(light, session).is_some();
-        has_place.then_some(Self {
-            light,
-            values,
-            length: AXIS * radius,
-        })
+        let has_place = light.kind != LightKind::Directional || aim_place(light, session).is_some();
+        has_place.then_some(Self { light, values, length: AXIS * radius })
     }
 
     fn aim_end(&self) -> DVec3 {

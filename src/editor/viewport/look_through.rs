@@ -138,12 +138,7 @@ fn view_of(values: &LightValues, light: &Light, old: &Orbit, session: &Session) 
 }
 
 /// The light that is looked through by a view.
-fn light_from(
-    view: &Orbit,
-    values: &LightValues,
-    light: &Light,
-    aim: Option<DVec3>,
-) -> Light {
+fn light_from(view: &Orbit, values: &LightValues, light: &Light, aim: Option<DVec3>) -> Light {
     let written = |v: DVec3| v.to_array().map(|x| (x * DECIMALS).round() / DECIMALS + 0.0);
     let backward = view.direction();
     let mut new = light.clone();

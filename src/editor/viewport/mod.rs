@@ -12,8 +12,8 @@ mod export;
 mod field;
 mod filters;
 mod hints;
-mod keyboard_handles;
 mod isocurves;
+mod keyboard_handles;
 mod lamps;
 mod lights;
 mod look_through;
@@ -194,8 +194,7 @@ impl Viewport {
         if response.clicked() && is_free {
             let at = response.interact_pointer_pos().filter(|_| handles.is_on);
             let light = at.and_then(|at| lights::hit(session, rect, at));
-            let pick =
-                || objects::pick(session, handles.surface.as_deref(), hovered.as_ref());
+            let pick = || objects::pick(session, handles.surface.as_deref(), hovered.as_ref());
             out.extend(light.map(|held| Command::ChooseLight(held.light)).or_else(pick));
         }
         // While the pointer paints, only the other ways to turn the camera remain.

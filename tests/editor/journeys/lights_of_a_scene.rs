@@ -172,7 +172,7 @@ fn a_gray_scene_is_lit() {
     // The key's shadow of the ball falls where the pointer says.
     lighter.tab("Light table");
     lighter.press_a(Role::Cell, "Light of Key");
-    let (caster, place) = (BALL.0 + DVec3::new(0.0, 0.1, 0.45), DVec3::new(1.9, FLOOR, 1.0));
+    let (caster, place) = (BALL.0 + DVec3::new(0.0, 0.1, 0.45), DVec3::new(0.9, FLOOR, 1.0));
     let [caster, place] = [caster, place].map(|point| on_screen(&lighter, point));
     lighter.hover(caster);
     lighter.key_with(Modifiers::SHIFT, Key::S);
@@ -183,7 +183,8 @@ fn a_gray_scene_is_lit() {
     let wanted = on_ball(ray(&lighter, caster)) - on_floor(ray(&lighter, place));
     let found = DVec3::from(light(&lighter, "key").direction);
     let hint = lighter.app().placing().hint().to_owned();
-    assert!(found.angle_between(wanted) < 1e-3, "{found} for {wanted}: {hint}");
+    // Within a pixel at both ends.
+    assert!(found.angle_between(wanted) < 0.012, "{found} for {wanted}: {hint}");
     lighter.key(Key::Escape);
     lighter.key(Key::Escape);
     lighter.settle();

@@ -44,11 +44,7 @@ pub(super) static TOUR: TourRow = TourRow {
 /// Suggestions at the end of the tour.
 static NEXT: [(&str, &str, Command); 3] = [
     ("Probe pixel", "Click on the picture, then open Why lit so", Command::Probe(Switch::On)),
-    (
-        "See the examples",
-        "A lit room and a comic street are among them",
-        Command::ShowStart(true),
-    ),
+    ("See the examples", "A lit room and a comic street are among them", Command::ShowStart(true)),
     ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
 ];
 
@@ -165,7 +161,8 @@ static STEPS: [Step; 8] = [
         },
         show: |session| {
             let id = own_light(session).unwrap_or_else(|| LightId::new("eye"));
-            let unlinked = LightSet::parse(&format!("* - {id}")).unwrap_or_else(|_| LightSet::all());
+            let unlinked =
+                LightSet::parse(&format!("* - {id}")).unwrap_or_else(|_| LightSet::all());
             let objects = scene(session).into_iter().flat_map(|scene| &scene.objects).skip(1);
             let edit = |(id, object): (&ObjectId, &Object)| {
                 let object = Object { linked: unlinked.clone(), ..object.clone() };
@@ -241,11 +238,7 @@ fn add(id: &str, light: Light) -> Command {
 }
 
 /// Commands that change a light of the scene; none where it is not there.
-fn change(
-    session: &Session,
-    id: &str,
-    change: impl FnOnce(&mut Light),
-) -> Vec<Command> {
+fn change(session: &Session, id: &str, change: impl FnOnce(&mut Light)) -> Vec<Command> {
     let Some(mut light) = light(session, id).cloned() else { return Vec::new() };
     change(&mut light);
     vec![edited(SceneEdit::SetLight { id: LightId::new(id), light })]

@@ -164,11 +164,7 @@ impl<'s> Sheet<'s> {
     /// Target of a field of a light as keys name it, with the keys that move the field, or that
     /// would: those of the document that the light belongs to. `None` for a light of a look that is
     /// not open.
-    pub(super) fn target(
-        self,
-        id: &LightId,
-        field: LightField,
-    ) -> Option<(OwnedKeys<'s>, Target)> {
+    pub(super) fn target(self, id: &LightId, field: LightField) -> Option<(OwnedKeys<'s>, Target)> {
         let target = Target::Light { light: id.clone(), field: field.name().to_owned() };
         let of = |owner: Owner| {
             let is_there = owner.lights(self.session).is_some_and(|all| all.contains_key(id));

@@ -151,9 +151,9 @@ impl Lights {
         for look in std::iter::once(session.look()).chain(others) {
             let groups = look.definitions.values().map(|definition| &definition.graph);
             let graphs = std::iter::once(&look.graph).chain(groups);
-            let sets = graphs.flat_map(|graph| graph.nodes.values()).filter_map(|n| n.for_each.as_ref());
-            let lights: BTreeSet<LightId> =
-                sets.flat_map(|set| self.mixed.members(set)).collect();
+            let sets =
+                graphs.flat_map(|graph| graph.nodes.values()).filter_map(|n| n.for_each.as_ref());
+            let lights: BTreeSet<LightId> = sets.flat_map(|set| self.mixed.members(set)).collect();
             for id in lights {
                 *self.drawn.entry(id).or_default() += 1;
             }

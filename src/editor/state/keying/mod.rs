@@ -117,14 +117,7 @@ impl<'a> KeyedLook<'a> {
             })
             .unwrap_or_default();
         let followed = self.evaluation.followed.clone();
-        Some(KeyEvaluation {
-            stamp: Some(stamp),
-            own,
-            rig: Some(rig),
-            of_scene,
-            now,
-            followed,
-        })
+        Some(KeyEvaluation { stamp: Some(stamp), own, rig: Some(rig), of_scene, now, followed })
     }
 
     /// The keys of the scene's lights as those of a look that has nothing else; `None` without a

@@ -30,6 +30,8 @@ type FilterLine = (Vec<DVec3>, bool);
 pub(super) struct FilterForm {
     pub(super) lines: Vec<FilterLine>,
     pub(super) grips: Vec<Grip>,
+    /// Width of the picture, in heights.
+    aspect: f64,
 }
 
 /// A lamp that filters stand before.
@@ -69,8 +71,9 @@ fn quad(center: DVec3, across: DVec3, up: DVec3) -> Vec<DVec3> {
 impl FilterForm {
     /// Form of the selected filter; `None` where it has none, as before a light that it does
     /// nothing to.
-    pub(super) fn of(filter: &SelectedFilter<'_>, session: &Session) -> Option<Self> {
-        let mut form = Self::default();
+    /// `aspect` is the width of the picture over its height.
+    pub(super) fn of(filter: &SelectedFilter<'_>, session: &Session, aspect: f32) -> Option<Self> {
+        let mut form = Self { aspect: aspect.into(), ..Self::default() };
         match filter.kind {
             FilterKind::Blocker | FilterKind::Rod => form.shape(filter),
             _ => {
@@ -154,7 +157,8 @@ impl FilterForm {
         self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
         let names = ["Width", "Height", "Depth"];
         for index in sides {
-            let name = if shape == "capsule" { ["Radius", "", "Length"][index] } else { names[index] };
+            let name =
+                if shape == "capsule" { ["Radius", "", "Length"][index] } else { names[index] };
             let axis = [x, y, z][index];
             let sizes = size.to_array().to_vec();
             let drag = GripDrag::Size { center, axis, sizes, index };
@@ -176,13 +180,7 @@ impl FilterForm {
     }
 
     /// Forms at a lamp: flaps, a thrown picture, distances.
-    fn at_lamp(
-        &mut self,
-        filter: &SelectedFilter<'_>,
-        lamp: &Lamp,
-        session: &Session,
-        away: f64,
-    ) {
+    fn at_lamp(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp, session: &Session, away: f64) {
         let is_sun = lamp.kind == LightKind::Directional;
         match filter.kind {
             FilterKind::Picture if is_sun => self.sun_picture(filter, lamp),
@@ -280,8 +278,7 @@ impl FilterForm {
         self.lines.push((quad(center, across, up), false));
         self.lines.push((vec![center, center + lamp.direction * size], true));
         self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
-        let drag =
-            GripDrag::Size { center, axis: turned.y_axis, sizes: vec![size], index: 0 };
+        let drag = GripDrag::Size { center, axis: turned.y_axis, sizes: vec![size], index: 0 };
         self.grip(("Size", "size", "drag to size the picture"), center + up, size, drag);
         self.spin(center, axes(toward, 0.0), spin, 1.3 * size);
     }
@@ -298,9 +295,18 @@ impl FilterForm {
         for (index, (name, port, help, is_soft)) in of.iter().enumerate() {
             let radius = filter.number(port).max(0.0);
             self.lines.push((circle(lamp.place, right * radius, up * radius), *is_soft));
-            // Handles of circles of one size stand beside each other.
-            let (sin, cos) = (f64::from(index as u32) * 0.35 - 0.5).sin_cos();
-            let at = lamp.place + (right * cos + up * sin) * radius;
+            // The handle stands where the circle is seen, and those of circles of one size beside
+            // each other.
+            let around = |step: u32| {
+                let angle = f64::from(index as u32) * 0.35 - 0.5 + f64::from(step) * TAU / 24.0;
+                let (sin, cos) = angle.sin_cos();
+                lamp.place + (right * cos + up * sin) * radius
+            };
+            let is_seen = |at: &DVec3| {
+                let place = session.view.orbit.place_in_picture(*at);
+                place.is_some_and(|[x, y]| x.abs() < 0.47 * self.aspect && y.abs() < 0.47)
+            };
+            let at = (0..24).map(around).find(is_seen).unwrap_or_else(|| around(0));
             let drag = GripDrag::Distance { center: lamp.place };
             self.grip((name, port, help), at, radius, drag);
         }

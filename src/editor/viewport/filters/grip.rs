@@ -41,11 +41,7 @@ pub(super) struct Grip {
 impl Grip {
     /// The value of the port when the handle is dragged to where a ray of the picture goes;
     /// `backward` points to the eye. `None` where that says nothing.
-    pub(super) fn dragged(
-        &self,
-        backward: DVec3,
-        (origin, ray): (DVec3, DVec3),
-    ) -> Option<Value> {
+    pub(super) fn dragged(&self, backward: DVec3, (origin, ray): (DVec3, DVec3)) -> Option<Value> {
         let on_plane = |point: DVec3, normal: DVec3| {
             let along = (point - origin).dot(normal) / ray.dot(normal);
             (along.is_finite() && along > 0.0).then(|| origin + ray * along)
@@ -69,11 +65,8 @@ impl Grip {
             GripDrag::Spin { center, axes } => {
                 let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
                 // Seen from the side, the plane of the turn is no place to point at.
-                let at = if ray.dot(z).abs() > 0.1 {
-                    on_plane(*center, z)?
-                } else {
-                    beside(self.at)?
-                };
+                let at =
+                    if ray.dot(z).abs() > 0.1 { on_plane(*center, z)? } else { beside(self.at)? };
                 let away = at - *center;
                 let (side, up) = (away.dot(x), away.dot(y));
                 (side.hypot(up) > 1e-9).then(|| Value::Number(rounded(up.atan2(side))))

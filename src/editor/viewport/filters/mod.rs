@@ -27,7 +27,7 @@ const RADIUS: f32 = 4.5;
 /// Draws the selected filter, and shows its handles. Returns true while one is hovered or held.
 pub(super) fn show(ui: &Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) -> bool {
     let Some(filter) = SelectedFilter::of(session) else { return false };
-    let Some(form) = FilterForm::of(&filter, session) else { return false };
+    let Some(form) = FilterForm::of(&filter, session, rect.aspect_ratio()) else { return false };
     let painter = ui.painter_at(rect);
     let accent = theme::SUN;
     for (line, is_soft) in &form.lines {

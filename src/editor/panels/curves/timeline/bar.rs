@@ -60,7 +60,8 @@ pub(super) fn show(
 
 /// Time of the nearest key before or after the playhead.
 fn neighbor(session: &Session, way: f64) -> Option<f64> {
-    let beyond = super::times(session).filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
+    let beyond =
+        super::times(session).filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
     beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
 }
 
@@ -137,8 +138,7 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
     let Some((owner, track_at, key_at)) = timeline.selected else { return };
     let Some(owned) = OwnedKeys::of(session, owner) else { return };
     let Some(track) = owned.look().time_keys.get(track_at) else { return };
-    let (Some(key), Some(port)) =
-        (track.keys.get(key_at), owned.keys.base.port_at(&track.target))
+    let (Some(key), Some(port)) = (track.keys.get(key_at), owned.keys.base.port_at(&track.target))
     else {
         return;
     };

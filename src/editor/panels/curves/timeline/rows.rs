@@ -45,11 +45,16 @@ pub(super) fn show(
         return;
     }
     let names = Rect::from_min_size(rect.min, vec2(NAMES - 8.0, ROW));
-    let mut head = ui.new_child(egui::UiBuilder::new().id_salt((owned.owner, index)).max_rect(names));
+    let mut head =
+        ui.new_child(egui::UiBuilder::new().id_salt((owned.owner, index)).max_rect(names));
     name(&mut head, owned, index, track, out);
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), rect.y_range());
     let [owner, what] = owner_and_name(owned, track);
-    let response = ui.interact(lane, ui.scope_id().with(("lane", owned.owner, index)), Sense::click_and_drag());
+    let response = ui.interact(
+        lane,
+        ui.scope_id().with(("lane", owned.owner, index)),
+        Sense::click_and_drag(),
+    );
     response.widget_info(|| {
         WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
     });
@@ -76,7 +81,8 @@ fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: 
     let colors = theme::of(ui);
     let [owner, what] = owner_and_name(owned, track);
     ui.horizontal_centered(|ui| {
-        let here = track.keys.iter().position(|key| (key.time - owned.session.view.time).abs() < 1e-6);
+        let here =
+            track.keys.iter().position(|key| (key.time - owned.session.view.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
         let diamond = mark::of(ui, owned.keys, &track.target, &format!("{verb} {owner}: {what}"));
         let help = if here.is_some() {
@@ -182,7 +188,14 @@ fn key_handle(
     }
     let [owner, what] = owner_and_name(owned, of_track);
     let label = format!("Time key {} of {owner}: {what}", index + 1);
-    let handled = handle(ui, ui.scope_id().with(("key", owned.owner, track, index)), at, &label, key.time, true);
+    let handled = handle(
+        ui,
+        ui.scope_id().with(("key", owned.owner, track, index)),
+        at,
+        &label,
+        key.time,
+        true,
+    );
     if handled.response.clicked() || handled.response.drag_started() {
         timeline.selected = Some((owned.owner, track, index));
     }
