@@ -226,6 +226,20 @@ pub(crate) fn light_at_hand(session: &Session) -> Option<LightId> {
     chosen.or_else(of_layer).or_else(|| selected_light(session))
 }
 
+/// How groups that run for each light shade: by what mirrors, where anything in them does. `None`
+/// where no such group has an angle.
+pub(crate) fn shading_of_sets(session: &Session) -> Option<Parametrization> {
+    let graphs = session.look().definitions.values().map(|definition| &definition.graph);
+    let angles = graphs.flat_map(|graph| graph.nodes.values());
+    let angles = angles.filter(|node| node.kind == "parametrization");
+    let all = angles.filter_map(|node| match node.values.get("type") {
+        Some(Value::Text(word)) => Parametrization::of(word),
+        _ => Some(Parametrization::Diffuse),
+    });
+    let all: Vec<Parametrization> = all.collect();
+    all.iter().find(|shading| shading.mirrors()).or(all.first()).copied()
+}
+
 /// Layers of the open graph that a light feeds, the selected one first.
 pub(crate) fn fed_by(session: &Session, light: &LightId) -> Vec<SelectedLayer> {
     let chosen = selected(session);

@@ -1,5 +1,5 @@
-//! Lights of the look and of the scene around it: listed alike, and changed alike. They differ only
-//! in the document that an edit goes to, and in that keys move the look's.
+//! Lights of the look and of the scene around it: listed alike, changed alike, and moved by keys
+//! alike. They differ only in the document that an edit goes to.
 
 use eframe::egui;
 use indexmap::IndexMap;

@@ -65,8 +65,8 @@ static STEPS: [Step; 8] = [
     },
     Step {
         title: "Where its highlight is",
-        task: "Press Place light above the picture, then click on the figure's forehead.",
-        reason: "The light goes where its highlight is there. Its shadow or its terminator can say \
+        task: "Press Place light above the picture, then click high on the ball.",
+        reason: "The light goes where it is brightest there. Its shadow or its terminator can say \
                  where it stands, too (Shift+H, S, T over the picture). Esc leaves.",
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::PlaceLight, Spot::Picture],

@@ -3,8 +3,8 @@
 //! what is done to them (`*1.2`, `+0.1`), in one undo step.
 //!
 //! In a scene the table edits the scene: a light that only looks have is shown as inherited, and an
-//! edit puts a light of the scene in its place. Keyed cells are the exception: keys are the look's,
-//! and a value that is set goes into the key that is set there.
+//! edit puts a light of the scene in its place. Keyed cells are the exception: a value that is set
+//! goes into the key that is set there, of the scene or of the look.
 
 mod change;
 mod column;

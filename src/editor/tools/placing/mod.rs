@@ -169,7 +169,7 @@ impl PlacingTool {
     ) -> Result<(WantedMark, Option<&'static str>), String> {
         let layers = layer::fed_by(session, light);
         match self.mark {
-            LightMark::Highlight => Ok(highlight(&layers)),
+            LightMark::Highlight => Ok(highlight(session, &layers)),
             LightMark::Terminator => terminator(&layers),
             LightMark::Shadow => self
                 .caster
@@ -300,7 +300,7 @@ impl PlacingTool {
                 let name = name(session, &id);
                 match (self.mark, self.caster) {
                     (LightMark::Highlight, _) => {
-                        let middle = match highlight(&layer::fed_by(session, &id)).0 {
+                        let middle = match highlight(session, &layer::fed_by(session, &id)).0 {
                             WantedMark::Angle { parametrization, .. } => {
                                 middle_name(parametrization)
                             }
@@ -377,11 +377,12 @@ fn name(session: &Session, id: &LightId) -> String {
 
 /// Goal of a highlight: where the view is mirrored, or the middle of what the layers light, where
 /// none of them mirrors.
-fn highlight(layers: &[SelectedLayer]) -> (WantedMark, Option<&'static str>) {
+fn highlight(session: &Session, layers: &[SelectedLayer]) -> (WantedMark, Option<&'static str>) {
     let mirroring = layers.iter().find(|layer| layer.shading.mirrors());
     let layer = mirroring.or_else(|| layers.first());
     // A half-vector lies on the normal where the mirrored view lies on the light.
-    let parametrization = match layer.map(|layer| layer.shading) {
+    let shading = layer.map(|layer| layer.shading).or_else(|| layer::shading_of_sets(session));
+    let parametrization = match shading {
         None | Some(Parametrization::HalfVector) => Parametrization::Specular,
         Some(shading) => shading,
     };
