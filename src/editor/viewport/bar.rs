@@ -20,6 +20,9 @@ use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
 use crate::widgets::theme;
 
+/// Least width of a bar that tells the number of a scene's objects, in points.
+const WIDE: f32 = 370.0;
+
 impl Viewport {
     /// Shows the choice of the mesh, and its orientation.
     pub(super) fn bar(
@@ -41,7 +44,8 @@ impl Viewport {
                     // The scene's name stands in the title already: the number of its objects is
                     // what a narrow picture has room for.
                     let help = format!("Shows the objects of {}", open_scene.name());
-                    if ui.link(text).on_hover_text(help).clicked() {
+                    let is_wide = ui.available_width() > WIDE;
+                    if is_wide && ui.link(text).on_hover_text(help).clicked() {
                         out.push(Command::ShowPanel(PanelId::OBJECTS));
                     }
                 }

@@ -78,8 +78,8 @@ static STEPS: [Step; 8] = [
     },
     Step {
         title: "A rim from behind",
-        task: "Press Add scene light and choose Directional. Then drag the end of its needle over \
-               the rim of the figure, to the back.",
+        task: "Press Add scene light and choose Directional. Then drag the end of its needle out \
+               past the figure and back: it is behind then.",
         reason: "Every directional light has a needle around what is lit; point and spot lights \
                  stand in the picture themselves, with handles for cones and distances.",
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],

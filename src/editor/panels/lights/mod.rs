@@ -42,6 +42,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 /// Width of the text on the users of a light, in points.
 const USERS: f32 = 50.0;
 
+/// Least room of a row's name and numbers that tells the users of a light, in points.
+const ROOMY: f32 = 150.0;
+
 /// The panel and its state.
 #[derive(Default)]
 pub(crate) struct Lights {
@@ -194,7 +197,10 @@ impl Lights {
             }
             let is_replaced = owned_light.owner == Owner::Look
                 && session.keys().light_of_scene(owned_light.id).is_some();
-            self.users(ui, owned_light, is_replaced);
+            // In a narrow panel the name comes first.
+            if ui.available_width() > ROOMY {
+                self.users(ui, owned_light, is_replaced);
+            }
             intensity(ui, session, owned_light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
