@@ -195,8 +195,8 @@ impl CellGrid {
                 self.selection.set(place.clone());
             }
             self.is_dragging = true;
+            // Nothing is scrolled: the cell would leave the pointer, and with that the keyboard.
             response.request_focus();
-            self.follows = true;
         }
         if response.secondary_clicked() && !self.selection.has(place) {
             self.selection.set(place.clone());
