@@ -186,7 +186,9 @@ impl CellGrid {
         let modifiers = ui.input(|input| input.modifiers);
         let is_plain = modifiers.is_none();
         let is_pressed = ui.input(|input| input.pointer.primary_pressed());
-        if is_pressed && response.is_pointer_button_down_on() {
+        // A quick click on a slow machine begins and ends within a frame.
+        let is_at = response.is_pointer_button_down_on() || response.clicked();
+        if is_pressed && is_at {
             if modifiers.shift {
                 self.selection.extend(shown, place.clone());
             } else if modifiers.command {
@@ -195,8 +197,8 @@ impl CellGrid {
                 self.selection.set(place.clone());
             }
             self.is_dragging = true;
-            // Nothing is scrolled: the cell would leave the pointer, and with that the keyboard.
             response.request_focus();
+            self.follows = true;
         }
         if response.secondary_clicked() && !self.selection.has(place) {
             self.selection.set(place.clone());
