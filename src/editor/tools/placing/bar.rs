@@ -31,7 +31,11 @@ impl PlacingTool {
             .inner_margin(Margin::symmetric(8, 4));
         let builder = UiBuilder::new().id_salt("placing").max_rect(room);
         let shown = ui.scope_builder(builder, |ui| {
-            frame.show(ui, |ui| ui.horizontal(|ui| self.controls(ui, session))).response.rect.size()
+            frame
+                .show(ui, |ui| ui.horizontal_wrapped(|ui| self.controls(ui, session)))
+                .response
+                .rect
+                .size()
         });
         ui.data_mut(|data| data.insert_temp(id, shown.inner));
     }
