@@ -226,8 +226,8 @@ pub(crate) fn light_at_hand(session: &Session) -> Option<LightId> {
     chosen.or_else(of_layer).or_else(|| selected_light(session))
 }
 
-/// How groups that run for each light shade: by what mirrors, where anything in them does. `None`
-/// where no such group has an angle.
+/// Parametrization in the look's groups, which draw the lights that no layer names: one that
+/// mirrors, where any does. `None` where no group has an angle.
 pub(crate) fn shading_of_sets(session: &Session) -> Option<Parametrization> {
     let graphs = session.look().definitions.values().map(|definition| &definition.graph);
     let angles = graphs.flat_map(|graph| graph.nodes.values());
