@@ -4,9 +4,8 @@ import chiaro::numeric;
 import chiaro::casters;
 import chiaro::shadows;
 
-/// Rays from a pixel, and those of the fast tier: powers of 2.
+/// Rays from a pixel: a power of 2.
 const OPEN_RAYS = 64;
-const FEW_OPEN_RAYS = 8;
 
 /// How near things count: in full up to `near`, and less and less up to `far`.
 struct OccludingRange {

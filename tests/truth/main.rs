@@ -18,6 +18,7 @@ mod pruned;
 mod raster;
 mod shadow_maps;
 mod shadows;
+mod screen_occlusion;
 mod shape_passes;
 mod single;
 mod tiers;

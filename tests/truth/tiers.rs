@@ -658,7 +658,8 @@ fn every_tier_is_total() {
                         *value = Some(Number::vec(&random.direction().to_array()));
                     }
                 }
-                let prepared = def.prepare.as_ref().map(|prepare| {
+                let is_prepared = variant.parameters.contains(&ArgumentSource::Prepared);
+                let prepared = def.prepare.as_ref().filter(|_| is_prepared).map(|prepare| {
                     let arguments: Vec<Number> = prepare
                         .parameters
                         .iter()

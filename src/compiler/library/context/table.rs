@@ -63,6 +63,9 @@ pub const MAX_CURVATURE: f64 = 1e4;
 /// `shaders/lib/lines.wgsl`).
 pub const MAX_LINE_REACH: f64 = 31.0;
 
+/// Greatest number that packs two: the last of the whole numbers that f32 holds one by one.
+const MAX_PACKED: f64 = 16_777_215.0;
+
 /// Greatest place and size on screen, in picture heights: functions clamp to it
 /// (`MOST_ON_SCREEN` in `shaders/lib/screen.wgsl`).
 pub const MAX_ON_SCREEN: f64 = 1e15;
@@ -276,6 +279,17 @@ pub(super) const TABLE: &[Row] = &[
     )
     .within(ContextBounds::Within(4.0 * MAX_PLACE))
     .given(&[0.0; 2], (Some(0.0), None)),
+    // A sample has no surroundings.
+    Row::of_pass(
+        "near_shares",
+        "vec4f",
+        ("near_shares", "texel"),
+        "how much of what the surface looks out at stands within 2 to 256 steps of 1/800 of the \
+         picture's height, as the picture shows it: two shares packed in each number",
+    )
+    .labeled("what stands near")
+    .within(ContextBounds::Clamped(MAX_PACKED))
+    .given(&[0.0; 4], (Some(0.0), Some(MAX_PACKED))),
     Row::host(
         "camera_from_world",
         "mat3x3f",

@@ -17,6 +17,8 @@ const TENSOR: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFor
 const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat::Numbers }];
 /// Edges of four kinds, packed by `edge_code` (`shaders/lib/edge_code.wgsl`).
 const EDGES: &[PassOutput] = &[PassOutput { name: "edges", format: TexelFormat::Numbers }];
+/// Shares of what stands near, packed by `packed_shares` (`shaders/lib/near_shares.wgsl`).
+const SHARES: &[PassOutput] = &[PassOutput { name: "shares", format: TexelFormat::Numbers }];
 const NEARNESS: &[PassOutput] = &[PassOutput { name: "nearness", format: TexelFormat::Numbers }];
 /// Nearness to the light, number of the object, and how the nearness changes to the next texels
 /// (`light_texel` in `shaders/lib/light_view.wgsl`).
@@ -51,6 +53,12 @@ const SHORT_READ: &[PassInput] = &[
     COLUMNS_READ[0],
     COLUMNS_READ[1],
     PassInput { binding: "columns", pass: "edge_columns_short", output: "edges" },
+];
+
+/// Inputs of the pass that joins shares of what stands near.
+const SHARES_READ: &[PassInput] = &[
+    PassInput { binding: "surface", pass: "normals", output: "surface" },
+    PassInput { binding: "slices", pass: "near_slices", output: "shares" },
 ];
 
 /// Work of a pass that measures normals with a file whose constants are not set.
@@ -281,6 +289,28 @@ pub(super) const TABLE: &[PassRow] = &[
     lines(("line_nearness", "lines", "line_nearness_map"), LINES_READ, &[("STEPS", 16)]),
     columns("edge_columns_short", "edge columns nearby", &[("STEPS", 8)]),
     lines(("line_nearness_short", "lines nearby", "line_short_map"), SHORT_READ, &[("STEPS", 8)]),
+    PassRow {
+        slug: "near_slices",
+        label: "occlusion slices",
+        work: measured("near_slices", 256),
+        reads: reads!("normals"),
+        writes: SHARES,
+        map: "",
+        purpose: "slices of what stands near",
+        result: "occlusion is",
+        help: "Finds how much stands near along two slices a pixel.",
+    },
+    PassRow {
+        slug: "near_shares",
+        label: "occlusion",
+        work: measured("near_shares", 2),
+        reads: SHARES_READ,
+        writes: SHARES,
+        map: "near_shares_map",
+        purpose: "occlusion, its cheaper tier",
+        result: "occlusion is",
+        help: "Joins the slices of four by four pixels.",
+    },
     PassRow {
         slug: "draw",
         label: "look",
