@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
 use chiaro::compile::Live;
-use chiaro::document::{LightSet, Scene, ShadowLink};
+use chiaro::document::{LightSet, Object, Scene, ShadowLink};
 use chiaro::frame::{
     Assets, EffectKind, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, effects,
 };
@@ -136,6 +136,9 @@ fn two_lights(with_rim: bool, links: &Json) -> Setup {
     setup.objects.iter_mut().for_each(|object| object.looks = vec![Some(0)]);
     let of_key = LightSet::parse("key").unwrap();
     setup.objects[1].shadow_link = ShadowLink { shadowed: of_key, ..ShadowLink::default() };
+    // Sets of objects name those of the scene.
+    setup.scene.objects =
+        setup.objects.iter().map(|object| (object.id.clone(), Object::default())).collect();
     setup
 }
 
