@@ -298,7 +298,8 @@ fn lights_of_single_layers_are_said_for_an_object() {
     };
     hand.tab("Objects");
     hand.press_a(Role::ListItem, "Object ring");
-    hand.bring(Role::Button, "Lights of its layers");
+    hand.harness.get_by_label("Lights of its layers").scroll_to_me();
+    hand.settle();
     hand.press("Lights of its layers");
     hand.bring(Role::Button, "Add a layer's lights");
     let before = hand.steps();

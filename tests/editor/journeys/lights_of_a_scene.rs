@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use chiaro::document::{Light, LightKind, LightSpace, Scene};
-use eframe::egui::accesskit::Role;
+use eframe::egui::accesskit::{Role, Toggled};
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::DVec3;
@@ -52,7 +52,7 @@ fn set_cell(lighter: &mut JourneyUser, row: &str, column: &str, text: &str) {
     let cell = format!("{column} of {row}");
     let is_at = |lighter: &JourneyUser| {
         let found = lighter.harness.query_all_by_role_and_label(Role::Cell, &cell).next();
-        found.is_some_and(|cell| cell.accesskit_node().is_selected() == Some(true))
+        found.is_some_and(|cell| cell.accesskit_node().toggled() == Some(Toggled::True))
     };
     for _ in 0..30 {
         if is_at(lighter) {

@@ -154,7 +154,6 @@ impl FilterForm {
         }
         let end = center + z * (2.0 * size.z).max(1.2 * size.max_element());
         self.lines.push((vec![center, end], true));
-        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
         let names = ["Width", "Height", "Depth"];
         for index in sides {
             let name =
@@ -168,6 +167,8 @@ impl FilterForm {
         let help = "drag to point it another way";
         self.grip(("Axis", "toward", help), end, toward.x, GripDrag::Toward { center });
         self.spin(center, axes(toward, 0.0), spin, TURN * size.x);
+        // Over the others, which it hides where they point to the eye.
+        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
     }
 
     /// The handle that turns around the axis, on a dashed line.
@@ -277,10 +278,10 @@ impl FilterForm {
         let (across, up) = (turned.x_axis * size, turned.y_axis * size);
         self.lines.push((quad(center, across, up), false));
         self.lines.push((vec![center, center + lamp.direction * size], true));
-        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
         let drag = GripDrag::Size { center, axis: turned.y_axis, sizes: vec![size], index: 0 };
         self.grip(("Size", "size", "drag to size the picture"), center + up, size, drag);
         self.spin(center, axes(toward, 0.0), spin, 1.3 * size);
+        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
     }
 
     /// Circles around the lamp that face the eye, with a handle each.
