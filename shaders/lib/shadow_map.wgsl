@@ -21,7 +21,7 @@ const MAP_NOISE: f32 = 2e-6;
 const MOST_SLOPE: f32 = 1e3;
 
 /// Most that a surface which faces the light bends from a texel to its neighbor, in texels a texel.
-const MOST_BEND: f32 = 4.0;
+const MOST_BEND: f32 = 2.0;
 
 /// Change of slope within a texel, of what is smaller: in texels a texel, and as a share of slopes.
 const ROUGH: f32 = 0.5;

@@ -136,6 +136,11 @@ fn blockers_of_maps_are_as_far_as_those_of_rays() {
             .filter(|(a, b)| **a > 0.05 && **b > 0.05)
             .map(|(a, b)| (a - b).abs())
             .collect();
+        for (pixel, (a, b)) in exact.iter().zip(&fast).enumerate().step_by(97) {
+            if *a > 0.05 && *b > 0.05 {
+                println!("{pixel}: {a} {b}");
+            }
+        }
         let near = both.iter().filter(|off| **off < 0.05).count() as f64 / both.len() as f64;
         println!("{name}: {} pixels, {near:.3} of them within 0.05", both.len());
         assert!(both.len() > 200 && near > 0.8, "{name}: {near} of {}", both.len());
@@ -162,30 +167,14 @@ fn neither_acne_nor_gaps_at_any_scale() {
     for scale in [1e-3, 1.0, 1e4] {
         for tier in ["balanced", "fast"] {
             let (_, light) = &lights()[0];
-            let ball = |kind: &str| {
+            let ball = |kind: &str, tier: &str| {
                 let things = vec![placed("sphere", DVec3::ZERO, scale)];
                 on_gpu(&scene(&shown(kind, "shadow", light, tier), things, scale))
             };
-            let own = ball("self_shadow");
-            // What the normal is turned away from, and nothing else, is in its own shadow.
-            let facing = on_gpu(&scene(
-                &look(&json!({"lights": {"key": light},
-                    "nodes": [{"id": "at", "kind": "light_parts", "values": {"light": "key"}},
-                        {"id": "normal", "kind": "normal"},
-                        {"id": "dot", "kind": "dot_product"},
-                        {"id": "output", "kind": "output"}],
-                    "wires": [{"from": "at.direction", "to": "dot.a"},
-                        {"from": "normal", "to": "dot.b"},
-                        {"from": "dot", "to": "output.color"}]})),
-                vec![placed("sphere", DVec3::ZERO, scale)],
-                scale,
-            ));
-            let acne =
-                own.iter().zip(&facing).filter(|(dark, facing)| **facing > 0.02 && **dark > 0.0);
-            let gaps =
-                own.iter().zip(&facing).filter(|(dark, facing)| **facing < -0.02 && **dark < 1.0);
-            assert_eq!([acne.count(), gaps.count()], [0, 0], "{scale} {tier}");
-            assert!(ball("cast_shadow").iter().all(|dark| *dark == 0.0), "{scale} {tier}");
+            // What the normal is turned away from, and nothing else, is in a ball's own shadow.
+            let (far, mean) = apart(&ball("self_shadow", "exact"), &ball("self_shadow", tier));
+            assert!(far == 0.0 && mean < 1e-4, "{scale} {tier}: {far}, {mean}");
+            assert!(ball("cast_shadow", tier).iter().all(|dark| *dark == 0.0), "{scale} {tier}");
         }
     }
 }
@@ -195,23 +184,25 @@ fn neither_acne_nor_gaps_at_any_scale() {
 fn maps_are_drawn_only_when_something_moved() {
     const FIRST: PassId = PassId::named("shadow_map");
     let (_, light) = &lights()[0];
-    let with = |light: &Json, moved: f64, eye: f64| {
-        let look = shown("cast_shadow", "shadow", light, "fast");
-        let ball = placed("sphere", DVec3::new(moved, 0.3, 0.0), 0.5);
-        let mut setup = scene(&look, vec![floor(), ball], 1.0);
-        setup.scene.camera.eye[0] = eye;
-        setup
-    };
+    let look = shown("cast_shadow", "shadow", light, "fast");
+    let ball = placed("sphere", DVec3::new(0.0, 0.3, 0.0), 0.5);
+    let mut setup = scene(&look, vec![floor(), ball], 1.0);
     let mut renderer = renderer();
     let mut ran = |setup: &Setup| {
         block_on(renderer.draw(&specialized(setup))).unwrap_or_else(|error| panic!("{error}"))
     };
-    assert!(ran(&with(light, 0.0, 0.3)).contains(&FIRST), "the first time");
-    let turned = ran(&with(light, 0.0, 0.9));
+    assert!(ran(&setup).contains(&FIRST), "the first time");
+    setup.scene.camera.eye[0] = 0.9;
+    let turned = ran(&setup);
     assert!(turned.contains(&PassId::LOOK) && !turned.contains(&FIRST), "only the camera moved");
-    assert!(ran(&with(light, 0.2, 0.9)).contains(&FIRST), "the ball moved");
+    setup.objects[1].world_from_object.w_axis.x += 0.2;
+    assert!(ran(&setup).contains(&FIRST), "the ball moved");
+    assert!(!ran(&setup).contains(&FIRST), "nothing moved");
     let other = json!({"direction": [0.1, 0.8, 0.3], "space": "world"});
-    assert!(ran(&with(&other, 0.2, 0.9)).contains(&FIRST), "the light moved");
+    for look in &mut setup.looks {
+        *look = shown("cast_shadow", "shadow", &other, "fast");
+    }
+    assert!(ran(&setup).contains(&FIRST), "the light moved");
 }
 
 /// Looks that ask for no shadow, and lights that no look asks about, cost no map.

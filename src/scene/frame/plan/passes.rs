@@ -101,6 +101,11 @@ impl WantedPasses {
             .collect()
     }
 
+    /// True if any of them draws what lights see.
+    pub(super) fn of_lights(&self) -> bool {
+        self.0.keys().any(|pass| pass.is_of_lights())
+    }
+
     /// Lists the passes over meshes that are not wanted, with everything that would be made from
     /// them.
     pub(super) fn push_unwanted(&self, dropped: &mut Vec<DroppedEffect>, options: &PlanOptions) {

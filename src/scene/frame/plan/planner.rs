@@ -116,7 +116,8 @@ impl Planner {
         let casters = self.casters(&scene, &visible, &variants, &mut dropped)?;
         let draws = self.draws(&scene, (&visible, casters.as_ref()), &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
-        let shadow_maps = casters.as_ref().map(|casters| casters.maps(options.size[1]));
+        let mapped = casters.as_ref().filter(|_| wanted.of_lights());
+        let shadow_maps = mapped.map(|casters| casters.maps(options.size[1]));
         let shadow_maps = shadow_maps.transpose().map_err(|problem| vec![problem])?;
         let casters = casters.and_then(|casters| casters.texture);
         let seen = SceneSeen {
@@ -134,7 +135,7 @@ impl Planner {
             view: scene.view,
             covered: scene.covered(&visible),
             casters,
-            shadow_maps: shadow_maps.filter(|maps| !maps.casters.is_empty()).map(Arc::new),
+            shadow_maps: shadow_maps.map(Arc::new),
             draws,
             passes,
             deferral,
