@@ -309,8 +309,8 @@ fn shadow_of_edges(
     return select(1.0 - alike, alike, is_dark);
 }
 
-/// What keeps the light from a surface, the nearer one of two: how far away it is, in scene units,
-/// and its number; 0 and -1 where nothing does.
+/// What keeps the light from a surface, the nearer one of two: how far away its lit side is, in
+/// scene units, and its number; 0 and -1 where nothing does.
 fn blocker_in_map(
     maps: ShadowMaps,
     behind: ShadowMaps,

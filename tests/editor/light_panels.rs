@@ -285,7 +285,6 @@ fn columns_of_the_light_table_are_remembered() {
 }
 
 #[test]
-#[ignore = "mended after its last run: to be run once before it counts"]
 fn lights_of_single_layers_are_said_for_an_object() {
     let home = Home::new();
     let mut hand = lit_window(&home, "Light table");

@@ -375,7 +375,6 @@ fn value_of(hand: &User, kind: &str, port: &str) -> Option<Value> {
 }
 
 #[test]
-#[ignore = "mended after its last run: to be run once before it counts"]
 fn filters_are_moved_turned_and_sized_in_the_picture() {
     let spot = Light {
         kind: LightKind::Spot,

