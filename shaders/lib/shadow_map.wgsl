@@ -1,4 +1,4 @@
-// Shadows from maps: pictures of the scene as a light sees it (docs/math.md 6.10).
+// Shadows from maps: pictures of the scene as a light sees it (docs/math.md 6.8).
 //
 // A texel of a map tells how near to the light the nearest surface is, the number of its object
 // from 1 on, and how its nearness changes from texel to texel. A directional light's nearness is

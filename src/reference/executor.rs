@@ -147,7 +147,9 @@ fn run(
                 continue;
             }
             Some(stage) => draw(plan, (id, stage), images, shaders, &around, &progress)?.texels,
-            None if id.is_of_lights() => draw_lights(plan, id, images, shaders, options, &progress)?,
+            None if id.is_of_lights() => {
+                draw_lights(plan, id, images, shaders, options, &progress)?
+            }
             None => {
                 let shader = shaders.screen(plan, id, images)?;
                 shade_all(plan.size, channels(id), shader.as_ref(), &around, &progress)?

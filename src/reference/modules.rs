@@ -361,7 +361,8 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
 /// Layers, square and one below the other, as an array.
 fn layers(texels: &Texels) -> Result<Texture, Diagnostic> {
     let [side, rows] = texels.size;
-    let pixels = texels.values.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]);
+    let pixels =
+        texels.values.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]);
     let size = [side, side, rows / side.max(1)];
     Texture::new(TextureDimension::D2, vec![TextureLevel::f64(size, pixels.collect())])
 }

@@ -6,11 +6,11 @@ use wgpu::util::DeviceExt as _;
 
 use super::Renderer;
 use super::casters::CastersTexture;
-use super::shadow_maps::LightTargets;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::pipeline::{DepthUse, LookPipeline, Sides};
 use super::readback::read_texture;
+use super::shadow_maps::LightTargets;
 use super::target::texture;
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;

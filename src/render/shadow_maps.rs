@@ -154,7 +154,8 @@ impl LightTargets {
 
     /// All layers of those passes that a module reads, ready to be bound.
     pub(crate) fn views(&self, needs: &Needs) -> Vec<(PassId, wgpu::TextureView)> {
-        let view = |pass: PassId| Some((pass, self.textures.get(&pass)?.create_view(&all_layers())));
+        let view =
+            |pass: PassId| Some((pass, self.textures.get(&pass)?.create_view(&all_layers())));
         needs.passes().filter_map(view).collect()
     }
 
@@ -199,10 +200,7 @@ fn layered(gpu: &Gpu, side: u32, layers: u32, format: wgpu::TextureFormat) -> wg
 }
 
 /// Uniforms one after another, with the place of each.
-fn packed<'u>(
-    alignment: usize,
-    uniforms: impl Iterator<Item = &'u [u8]>,
-) -> (Vec<u8>, Vec<u32>) {
+fn packed<'u>(alignment: usize, uniforms: impl Iterator<Item = &'u [u8]>) -> (Vec<u8>, Vec<u32>) {
     let (mut bytes, mut places) = (Vec::new(), Vec::new());
     for uniform in uniforms {
         bytes.resize(bytes.len().next_multiple_of(alignment), 0);
@@ -266,10 +264,7 @@ impl Renderer {
             let view = texture.create_view(&one_layer(number as u32));
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some(pass.label()),
-                color_attachments: &[Some(super::passes::cleared(
-                    &view,
-                    wgpu::Color::TRANSPARENT,
-                ))],
+                color_attachments: &[Some(super::passes::cleared(&view, wgpu::Color::TRANSPARENT))],
                 depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                     view: depth,
                     depth_ops: Some(wgpu::Operations {

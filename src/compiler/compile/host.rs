@@ -195,7 +195,9 @@ impl HostProgram {
     /// The lights of which it reads such an input.
     fn lights_of(&self, is_wanted: fn(LightInput) -> bool) -> impl Iterator<Item = &LightId> {
         self.steps.iter().filter_map(move |step| match step {
-            ProgramStep::Context(context, light) if context.light_input().is_some_and(is_wanted) => {
+            ProgramStep::Context(context, light)
+                if context.light_input().is_some_and(is_wanted) =>
+            {
                 light.as_ref()
             }
             _ => None,
@@ -328,9 +330,9 @@ impl HostInputs<'_> {
                 light.map_or_else(|| input.value(&LightValues::default()), |l| input.value(l))
             }
             // Of fragment rate, and so never a step of the host.
-            ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene { .. } => {
-                interp::Value::Float(0.0)
-            }
+            ContextSource::Fragment { .. }
+            | ContextSource::Pass { .. }
+            | ContextSource::Scene { .. } => interp::Value::Float(0.0),
         };
         row.bounds.kept_value(value)
     }

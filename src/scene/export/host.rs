@@ -287,6 +287,8 @@ fn meaning(context: Context) -> &'static str {
         ContextSource::Host { meaning, .. } => meaning,
         ContextSource::Light(input) => input.help(),
         // Contexts of fragment rate, which steps never ask for.
-        ContextSource::Fragment { .. } | ContextSource::Pass { .. } | ContextSource::Scene { .. } => "",
+        ContextSource::Fragment { .. }
+        | ContextSource::Pass { .. }
+        | ContextSource::Scene { .. } => "",
     }
 }

@@ -336,17 +336,16 @@ fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<D
                 "choose its {word} tier (\"tier\": \"{word}\", or `--tier {word}`), which an \
                  export carries"
             ),
-            None => "mute it for the export, and let the program that draws cast the shadow"
-                .to_owned(),
+            None => {
+                "mute it for the export, and let the program that draws cast the shadow".to_owned()
+            }
         };
         let message = format!(
             "the node `{}` ({}) sends rays past the meshes of a scene, which an export does not \
              carry",
             node.path, node.def.label
         );
-        Diagnostic::error("export-casters", message)
-            .node(node.path.clone())
-            .hint(hint)
+        Diagnostic::error("export-casters", message).node(node.path.clone()).hint(hint)
     });
     Err(problems.collect())
 }

@@ -358,8 +358,5 @@ fn axes(toward: DVec3) -> [DVec3; 2] {
     let side = if z > -0.4142 { 1.0 } else { -1.0 };
     let a = -1.0 / (side + z);
     let b = x * y * a;
-    [
-        DVec3::new(1.0 + side * x * x * a, side * b, -side * x),
-        DVec3::new(b, side + y * y * a, -y),
-    ]
+    [DVec3::new(1.0 + side * x * x * a, side * b, -side * x), DVec3::new(b, side + y * y * a, -y)]
 }

@@ -595,8 +595,7 @@ impl<'a> Emitter<'a> {
                 self.needs.contexts.push(*context);
             }
         }
-        self.needs.occluders =
-            (0..reached.len()).any(|id| reached[id] && self.reads_occluders(id));
+        self.needs.occluders = (0..reached.len()).any(|id| reached[id] && self.reads_occluders(id));
         self.needs.contexts.sort_unstable();
         let read = std::mem::take(&mut self.needs.contexts).into_iter();
         let (resources, contexts) = read.partition(|context| context.is_resource());

@@ -404,9 +404,5 @@ pub(super) const TABLE: &[Row] = &[
     .sampled(&[], |_| vec3(DVec3::ZERO)),
     Row::scene("casters", "Casters", "the triangles of all objects that cast shadows"),
     Row::scene_pass("shadow_map", "ShadowMaps", "what lights see first"),
-    Row::scene_pass(
-        "shadow_map_behind",
-        "ShadowMaps",
-        "what lights see behind the first object",
-    ),
+    Row::scene_pass("shadow_map_behind", "ShadowMaps", "what lights see behind the first object"),
 ];

@@ -306,9 +306,7 @@ fn probe(
         let surface = read_surface(of_surface, &snapshot, place, false, &progress)?;
         let moment = (&plan, snapshot.time);
         let lights = surface
-            .map(|surface| {
-                light_accounts(&setup, &snapshot.library, moment, &wires, &surface.seen)
-            })
+            .map(|surface| light_accounts(&setup, &snapshot.library, moment, &wires, &surface.seen))
             .transpose();
         let lights = lights.map_err(|problem| vec![problem])?.unwrap_or_default();
         Ok(Some(ProbedPixel { wires, lights }))

@@ -35,8 +35,8 @@ pub(super) fn show(ui: &Ui, rect: Rect, session: &Session, out: &mut Vec<Command
         painter.add(Shape::line(points.clone(), Stroke::new(3.5, theme::HALO)));
         let stroke = Stroke::new(1.5, accent);
         match is_soft {
-            true => _ = painter.extend(Shape::dashed_line(&points, stroke, 5.0, 4.0)),
-            false => _ = painter.add(Shape::line(points, stroke)),
+            true => painter.extend(Shape::dashed_line(&points, stroke, 5.0, 4.0)),
+            false => painter.extend([Shape::line(points, stroke)]),
         }
     }
     let mut is_busy = false;

@@ -14,7 +14,10 @@ pub fn light_field(light: &Light, field: &str) -> Option<Value> {
 }
 
 /// Writes those of some values that are fields of lights into the lights.
-pub(in crate::frame) fn set_lights(lights: &mut IndexMap<LightId, Light>, values: &HashMap<Target, Value>) {
+pub(in crate::frame) fn set_lights(
+    lights: &mut IndexMap<LightId, Light>,
+    values: &HashMap<Target, Value>,
+) {
     for (target, value) in values {
         if let Target::Light { light, field } = target
             && let Some(light) = lights.get_mut(light)

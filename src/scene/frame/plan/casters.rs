@@ -88,8 +88,7 @@ impl PlannedCasters<'_> {
         if !shader.needs.shadow_maps() {
             return;
         }
-        let scene =
-            MapScene { objects: self.objects, placed: self.placed, sets: &self.sets };
+        let scene = MapScene { objects: self.objects, placed: self.placed, sets: &self.sets };
         for id in shader.host.mapped_lights() {
             if let (Some(casters), Some(light)) = (lit_by.lights.get(id), lights.get_mut(id)) {
                 let place = self.maps.borrow_mut().place(&scene, light, casters.set);
@@ -265,16 +264,16 @@ impl Planner {
             }
         }
         let texture = match sends_rays {
-            true => Some(
-                Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?,
-            ),
+            true => {
+                Some(Casters::new(objects, &scene.placed, &sets, &occluders).map_err(|p| vec![p])?)
+            }
             false => None,
         };
         let mut lights: HashMap<usize, CastersByLight> = HashMap::new();
         for (receiver, light, set, onto_itself) in found {
-            let number = texture.as_ref().map_or(LightValues::NO_CASTERS, |texture| {
-                texture.number(&sets[set], onto_itself)
-            });
+            let number = texture
+                .as_ref()
+                .map_or(LightValues::NO_CASTERS, |texture| texture.number(&sets[set], onto_itself));
             let casters = LightCasters { number, set };
             lights.entry(receiver).or_default().insert(light.clone(), casters);
         }
