@@ -25,8 +25,8 @@ import chiaro::shadow_map;
 /// @error balanced 1 : shadow within half a texel of the light's map of an edge, and of a light
 ///   with a size, whose shadows stay hard; what is thinner than a texel
 /// @error fast 1 : the same within a texel of an edge, which is as jagged as texels are
-/// @source rays over a tree of boxes, Roberts 2018 for lights with a size; maps after Williams 1978,
-///   their edges after Bondarev 2014
+/// @source rays over a tree of boxes, Roberts 2018 for lights with a size; maps after Williams
+///   1978, their edges after Bondarev 2014
 fn cast_shadow(
     source: vec4f,
     caster_set: f32,

@@ -27,8 +27,8 @@ import chiaro::shadow_map;
 /// @param shadow_map_behind from=shadow_map_behind hidden
 /// @return shadow "Shadow" : From 0 where the light is free to 1 where it is kept away.
 /// @error balanced 1 : shadow within half a texel of the light's map of an edge, of a light with a
-///   size, whose shadows stay hard, and where two other objects hide the object from the light; what
-///   is thinner than a texel
+///   size, whose shadows stay hard, and where two other objects hide the object from the light;
+///   what is thinner than a texel
 /// @error fast 1 : the same within a texel of an edge, which is as jagged as texels are
 /// @source rays over a tree of boxes, Hanika 2021 for the turn from the light; maps after Williams
 ///   1978, their edges after Bondarev 2014

@@ -50,7 +50,7 @@ pub struct Renderer {
     targets: target::Targets,
     /// Triangles that cast shadows, while looks read them.
     casters: Option<casters::CastersTexture>,
-    /// What lights see of the scene, while looks read it.
+    /// The scene as lights see it, while looks read it.
     lights: shadow_maps::LightTargets,
     /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,

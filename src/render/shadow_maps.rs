@@ -12,7 +12,7 @@ use crate::compile::{Needs, VertexAttribute};
 use crate::frame::{FramePlan, LightModule, PassId, ShadowMaps};
 use crate::{RenderError, Renderer};
 
-/// What lights see, and the pipelines that draw it.
+/// Textures of what lights see, and the pipelines that draw them.
 #[derive(Debug, Default)]
 pub(crate) struct LightTargets {
     side: u32,

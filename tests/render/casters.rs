@@ -142,7 +142,7 @@ fn two_lights(with_rim: bool, links: &Json) -> Setup {
     setup
 }
 
-/// What a node is kept from makes no casters, nor does what is muted or not linked.
+/// Lights that a node is kept from make no casters, nor does what is muted or not linked.
 #[test]
 fn lights_that_reach_no_reader_have_no_casters() {
     let texels_of = |mut planner: Planner, setup: &Setup| {
@@ -171,7 +171,7 @@ fn lights_that_reach_no_reader_have_no_casters() {
     assert!(truth == wanted);
 }
 
-/// Where no light is left whose shadows are drawn, nothing is sent to the GPU, and the picture is
+/// Casters go to no GPU where no light is left whose shadows are drawn, and the picture is
 /// the one without shadows.
 #[test]
 fn muted_lights_leave_no_casters() {

@@ -176,7 +176,7 @@ fn neither_acne_nor_gaps_at_any_scale() {
     }
 }
 
-/// What a light sees is drawn anew only when the light or what casts shadows moves.
+/// A map is drawn anew only when the light or what casts shadows moves.
 #[test]
 fn maps_are_drawn_only_when_something_moved() {
     const FIRST: PassId = PassId::named("shadow_map");

@@ -172,7 +172,7 @@ impl FloorShadows {
         Self(blockers.iter().map(boxed).collect())
     }
 
-    /// Those whose boxes meet a pixel of the floor: no others can darken a place in it.
+    /// Triangles whose boxes meet a pixel of the floor: no others can darken a place in it.
     fn of_pixel(&self, pixel: usize) -> Self {
         let [a, b] = [DVec2::ZERO, DVec2::ONE].map(|within| {
             let place = on_floor(pixel, within);

@@ -549,6 +549,9 @@ alias Composite = vec4f;
 /// The triangles of all objects that cast shadows, as `shaders/lib/casters.wgsl` reads them.
 alias Casters = texture_2d<f32>;
 
+/// What lights see first, a layer for each, as `shaders/lib/shadow_map.wgsl` reads it.
+alias ShadowMaps = texture_2d_array<f32>;
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {

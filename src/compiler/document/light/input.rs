@@ -181,7 +181,7 @@ impl LightInput {
         }
     }
 
-    /// Numbers of the input where the light does not reach: no intensity, and no shadows; `None` for
+    /// Numbers of the input where the light does not reach: no intensity, no shadows; `None` for
     /// an input that is what it is all the same.
     pub fn unlit(self) -> Option<&'static [f64]> {
         match self {

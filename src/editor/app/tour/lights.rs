@@ -126,8 +126,8 @@ static STEPS: [Step; 8] = [
         title: "A light that goes along",
         task: "Add a scene light once more, a Point. Unfold it in Lights and choose Object as its \
                frame.",
-        reason: "Each object then has it for itself, at the same place beside it: an eye light that \
-                 goes wherever the character goes.",
+        reason: "Each object then has it for itself, at the same place beside it: an eye light \
+                 that goes wherever the character goes.",
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
         is_done: |session, _| own_light(session).is_some(),
@@ -173,8 +173,8 @@ static STEPS: [Step; 8] = [
     },
     Step {
         title: "Its shadow, by pointing",
-        task: "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on the \
-               floor where its shadow shall fall.",
+        task: "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on \
+               the floor where its shadow shall fall.",
         reason: "The light goes on the line through both places. What casts shadows onto what is a \
                  matter of links, too: Shadows in Links.",
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],

@@ -1,8 +1,8 @@
-//! Tours of a few minutes: one makes a first look from nothing, one lights a gray scene. Each step stands beside the control
-//! that it is about, and reports when the artist has really done it: steps look at the document,
-//! never at clicks. Only the artist goes on, by one button, so that there is all the time in the
-//! world to play with the newly found control. The tour keeps nobody from anything, and whatever is
-//! done on it is the artist's own work, with undo.
+//! Tours of a few minutes: one makes a first look from nothing, one lights a gray scene. Each step
+//! stands beside the control that it is about, and reports when the artist has really done it:
+//! steps look at the document, never at clicks. Only the artist goes on, by one button, so that
+//! there is all the time in the world to play with the newly found control. The tour keeps nobody
+//! from anything, and whatever is done on it is the artist's own work, with undo.
 
 mod card;
 mod lights;
@@ -38,7 +38,7 @@ struct Step {
 /// Texts of the card after the last step.
 struct TourTexts {
     title: &'static str,
-    /// What was made.
+    /// Account of what was made.
     made: fn(&Session) -> String,
     more: &'static str,
     /// Suggestions: label, help and command of each.

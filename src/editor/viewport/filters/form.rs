@@ -35,7 +35,7 @@ pub(super) struct FilterForm {
 }
 
 /// A lamp that filters stand before.
-struct Lamp {
+struct LampPlace {
     kind: LightKind,
     place: DVec3,
     /// Direction in which a spot shines; unit.
@@ -80,7 +80,7 @@ impl FilterForm {
                 let light = filter.light.as_ref()?;
                 let light = light_in_view(session, light)?;
                 let values = resolved(light, session);
-                let lamp = Lamp {
+                let lamp = LampPlace {
                     kind: light.kind,
                     place: values.position(),
                     aim: values.aim(),
@@ -181,7 +181,13 @@ impl FilterForm {
     }
 
     /// Forms at a lamp: flaps, a thrown picture, distances.
-    fn at_lamp(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp, session: &Session, away: f64) {
+    fn at_lamp(
+        &mut self,
+        filter: &SelectedFilter<'_>,
+        lamp: &LampPlace,
+        session: &Session,
+        away: f64,
+    ) {
         let is_sun = lamp.kind == LightKind::Directional;
         match filter.kind {
             FilterKind::Picture if is_sun => self.sun_picture(filter, lamp),
@@ -212,7 +218,7 @@ impl FilterForm {
     }
 
     /// Direction that a lamp's flaps or picture look to: the spot's own, or with a handle.
-    fn toward(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp, away: f64) -> DVec3 {
+    fn toward(&mut self, filter: &SelectedFilter<'_>, lamp: &LampPlace, away: f64) -> DVec3 {
         if lamp.kind == LightKind::Spot {
             return lamp.aim;
         }
@@ -224,7 +230,7 @@ impl FilterForm {
         toward
     }
 
-    fn doors(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp, toward: DVec3, away: f64) {
+    fn doors(&mut self, filter: &SelectedFilter<'_>, lamp: &LampPlace, toward: DVec3, away: f64) {
         let spin = filter.number("spin");
         let turned = axes(toward, spin);
         let [x, y, z] = [turned.x_axis, turned.y_axis, turned.z_axis];
@@ -253,7 +259,7 @@ impl FilterForm {
         self.spin(middle, axes(toward, 0.0), spin, 1.3 * left.max(0.2 * away));
     }
 
-    fn picture(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp, toward: DVec3, away: f64) {
+    fn picture(&mut self, filter: &SelectedFilter<'_>, lamp: &LampPlace, toward: DVec3, away: f64) {
         let (spin, angle) = (filter.number("spin"), filter.number("angle").clamp(0.001, 1.5));
         let turned = axes(toward, spin);
         let half = away * angle.tan();
@@ -270,7 +276,7 @@ impl FilterForm {
     }
 
     /// The picture that a directional light throws.
-    fn sun_picture(&mut self, filter: &SelectedFilter<'_>, lamp: &Lamp) {
+    fn sun_picture(&mut self, filter: &SelectedFilter<'_>, lamp: &LampPlace) {
         let (center, size) = (filter.vector("center"), filter.number("size").abs().max(1e-4));
         let spin = filter.number("spin");
         let toward = -lamp.direction;
@@ -288,7 +294,7 @@ impl FilterForm {
     fn distances(
         &mut self,
         filter: &SelectedFilter<'_>,
-        lamp: &Lamp,
+        lamp: &LampPlace,
         session: &Session,
         of: &[(&'static str, &'static str, &'static str, bool)],
     ) {

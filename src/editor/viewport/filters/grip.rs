@@ -7,7 +7,7 @@ use crate::document::Value;
 /// Least length and angle that a drag sets.
 const LEAST: f64 = 1e-3;
 
-/// What a handle does where it is dragged.
+/// Effect of dragging a handle.
 #[derive(Clone, Debug)]
 pub(super) enum GripDrag {
     /// Moves a place across the picture, at its depth.
@@ -27,7 +27,7 @@ pub(super) enum GripDrag {
 /// Handle of a filter.
 #[derive(Clone, Debug)]
 pub(super) struct Grip {
-    /// What it is called, with a capital.
+    /// Name, with a capital.
     pub(super) name: &'static str,
     pub(super) port: &'static str,
     pub(super) help: &'static str,
@@ -90,7 +90,7 @@ impl Grip {
     }
 }
 
-/// How far along a line from `center` a ray comes nearest to the line.
+/// Distance along a line from `center` at which a ray comes nearest to the line.
 fn nearest_along(center: DVec3, axis: DVec3, (origin, ray): (DVec3, DVec3)) -> Option<f64> {
     let between = center - origin;
     let cosine = axis.dot(ray);
