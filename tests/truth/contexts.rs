@@ -26,6 +26,8 @@ fn showing(context: Context) -> SetupLook {
         "mat3x3f" => "x * vec3f(0.2, 0.5, 0.9)",
         // The first row of the first object.
         "Casters" => "textureLoad(x, vec2i(0, 0), 0).xyz",
+        // No light is asked about, so that there is none.
+        "ShadowMaps" => "textureLoad(x, vec2i(0, 0), 0, 0).xyz",
         other => panic!("{word}: show a {other}"),
     };
     let code = format!(

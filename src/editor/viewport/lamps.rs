@@ -1,5 +1,6 @@
 //! Handles of lamps: the place of every point and spot light, and of each directional light that is
-//! aimed at an object from there; for the light at hand a spot's aim, the rims of its cones, and the distances at which a lamp fades and ends.
+//! aimed at an object from there; for the light at hand a spot's aim, the rims of its cones, and
+//! the distances at which a lamp fades and ends.
 //!
 //! A place and an aim are dragged across the picture, at their depth. Cones are drawn on a ball
 //! around the lamp, so that they may be as wide as they like; distances as circles that face the

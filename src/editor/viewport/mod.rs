@@ -2,8 +2,8 @@
 //! the wheel moves the camera nearer.
 //!
 //! `surface` holds the visible surface at each pixel; on it `isocurves` draws the selected layer's
-//! lines, which are dragged there, `lights` the handles of lights, `filters` those of what stands in
-//! their way, and `strip` the values that have no place on the object.
+//! lines, which are dragged there, `lights` the handles of lights, `filters` those of what stands
+//! in their way, and `strip` the values that have no place on the object.
 
 mod arrows;
 mod backdrop;
