@@ -191,6 +191,7 @@ fn main() {
                 })
                 .collect();
             let times = look_passes(&mut renderer, &plans, ROUNDS);
+            let times: Vec<f64> = times.into_iter().map(|(look, _)| look).collect();
             let hand = times
                 .get(4)
                 .map_or("-".to_owned(), |hand| format!("{hand:.2} ({:.2})", times[0] / hand));

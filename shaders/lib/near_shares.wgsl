@@ -10,6 +10,9 @@ const NEAR_ENDS = vec4f(2.0, 4.0, 8.0, 16.0);
 const FAR_ENDS = vec4f(32.0, 64.0, 128.0, 256.0);
 const NEAR_BEGINS = vec4f(0.0, 2.0, 4.0, 8.0);
 const FAR_BEGINS = vec4f(16.0, 32.0, 64.0, 128.0);
+/// Steps between both.
+const NEAR_WIDTHS = vec4f(2.0, 2.0, 4.0, 8.0);
+const FAR_WIDTHS = vec4f(16.0, 32.0, 64.0, 128.0);
 /// Least width in steps over which a share is averaged.
 const LEAST_WIDTH = 0.05;
 
@@ -41,13 +44,11 @@ fn shares_of(texel: vec4f) -> NearShares {
 fn share_sum(shares: NearShares, steps: f32) -> f32 {
     let nearer = vec4f(0.0, shares.near.xyz);
     let farther = vec4f(shares.near.w, shares.far.xyz);
-    let near_widths = NEAR_ENDS - NEAR_BEGINS;
-    let far_widths = FAR_ENDS - FAR_BEGINS;
-    let near_parts = clamp((steps - NEAR_BEGINS) / near_widths, vec4f(0.0), vec4f(1.0));
-    let far_parts = clamp((steps - FAR_BEGINS) / far_widths, vec4f(0.0), vec4f(1.0));
+    let near_parts = clamp((steps - NEAR_BEGINS) / NEAR_WIDTHS, vec4f(0.0), vec4f(1.0));
+    let far_parts = clamp((steps - FAR_BEGINS) / FAR_WIDTHS, vec4f(0.0), vec4f(1.0));
     let near_means = nearer + 0.5 * near_parts * (shares.near - nearer);
     let far_means = farther + 0.5 * far_parts * (shares.far - farther);
-    return dot(near_widths, near_parts * near_means) + dot(far_widths, far_parts * far_means)
+    return dot(NEAR_WIDTHS, near_parts * near_means) + dot(FAR_WIDTHS, far_parts * far_means)
         + max(steps - FAR_ENDS.w, 0.0) * shares.far.w;
 }
 

@@ -226,7 +226,9 @@ impl Renderer {
         pass: PassId,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<bool, RenderError> {
-        let Some(maps) = &plan.shadow_maps else { return Ok(false) };
+        let Some(maps) = plan.shadow_maps.as_ref().filter(|maps| !maps.layers.is_empty()) else {
+            return Ok(false);
+        };
         if !self.lights.pipelines.contains_key(&pass) {
             self.lights.pipelines.insert(pass, LightPipeline::new(&self.gpu, pass)?);
         }

@@ -4,4 +4,5 @@ use chiaro_test_drawing as support;
 
 mod golden;
 mod instructions;
+mod shadow_maps;
 mod validators;

@@ -225,6 +225,41 @@ fn only_lights_that_are_asked_about_have_maps() {
     assert!(labels.keys().all(|pass| !pass.is_of_lights()), "{labels:?}");
 }
 
+/// A region that runs for each light asks each light's own map, in a loop as in code for each.
+#[test]
+fn lights_of_a_loop_have_maps_of_their_own() {
+    let lights: serde_json::Map<String, Json> = (0..12)
+        .map(|n| {
+            let (sine, cosine) = (f64::from(n) * 0.52).sin_cos();
+            let toward = json!({"direction": [sine, 0.9, cosine], "space": "world"});
+            let lamp = json!({"type": "point", "position": [sine, 2.0, cosine], "space": "world"});
+            (format!("light_{n}"), if n % 4 == 3 { lamp } else { toward })
+        })
+        .collect();
+    let shaded = |tier: &str| {
+        let shadow = json!({"id": "shadow", "kind": "cast_shadow", "tier": tier});
+        look(&json!({"lights": lights, "definitions": {"own": {
+                "inputs": [], "outputs": [{"name": "color"}],
+                "nodes": [shadow, {"id": "share", "kind": "multiply", "values": {"b": 0.0833}},
+                    {"id": "sum", "kind": "sum_of_lights"}],
+                "wires": [{"from": "shadow", "to": "share.a"}, {"from": "share", "to": "sum.value"},
+                    {"from": "sum", "to": "outputs.color"}]}},
+            "nodes": [{"id": "each", "kind": "own", "for_each": "*"},
+                {"id": "output", "kind": "output"}],
+            "wires": [{"from": "each", "to": "output.color"}]}))
+    };
+    let things = || vec![floor(), placed("torus", DVec3::new(0.2, 0.3, 0.0), 0.8)];
+    let setup = scene(&shaded("fast"), things(), 1.0);
+    let plan = specialized(&setup);
+    let maps = plan.shadow_maps.as_ref().expect("it asks for maps");
+    assert_eq!(maps.layers.len(), 9 + 3 * 6, "a layer for each sun, six for each lamp");
+    let [maps, rays] = [on_gpu(&setup), on_gpu(&scene(&shaded("exact"), things(), 1.0))];
+    let (_, mean) = apart(&maps, &rays);
+    println!("12 lights: {mean:.5} in the mean");
+    assert!(rays.iter().any(|share| (0.05..0.9).contains(share)), "shadows of some lights alone");
+    assert!(mean < 0.005, "{mean}");
+}
+
 #[test]
 fn too_many_maps_are_refused() {
     let lamps: serde_json::Map<String, Json> = (0..43)

@@ -13,11 +13,11 @@ pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
     for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
         let _ =
-            writeln!(text, "  {:16} {}\n  {:16} costs {}", pass.what, pass.reason, "", pass.cost);
+            writeln!(text, "  {:18} {}\n  {:18} costs {}", pass.what, pass.reason, "", pass.cost);
     }
     for casters in report.effects.iter().filter(|effect| effect.kind == EffectKind::Casters) {
         let Effect { what, reason, cost, .. } = casters;
-        let _ = writeln!(text, "\nShadows\n  {what:16} {reason}\n  {:16} costs {cost}", "");
+        let _ = writeln!(text, "\nShadows\n  {what:18} {reason}\n  {:18} costs {cost}", "");
     }
     if !report.dropped.is_empty() {
         text += "\nLeft out\n";

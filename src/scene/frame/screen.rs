@@ -198,6 +198,10 @@ mod tests {
                 files.push(shader);
             }
         }
+        files.extend(PassId::all().filter_map(|pass| match pass.row().work {
+            PassWork::Lights { shader } => Some(shader),
+            _ => None,
+        }));
         for (path, _) in wgsl::PASSES {
             let name = path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl"));
             assert!(name.is_some_and(|name| files.contains(&name)), "no row runs {path}");
