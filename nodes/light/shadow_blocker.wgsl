@@ -19,8 +19,8 @@ import chiaro::shadow_map;
 /// @param map from=light.shadow_map hidden
 /// @param shadow_map from=shadow_map hidden
 /// @param shadow_map_behind from=shadow_map_behind hidden
-/// @error fast 1e3 : distance, which is that of the blocker's lit side; distance and object within
-///   a texel of the light's map of a shadow's edge, and where more than two objects hide one
+/// @error balanced 1e3 : distance, which is that of the blocker's lit side; distance and object
+///   within a texel of the light's map of a shadow's edge, and where more than two objects hide one
 ///   another from the light, of which the second is taken
 /// @source rays over a tree of boxes; maps after Williams 1978
 fn shadow_blocker(
@@ -39,7 +39,7 @@ fn shadow_blocker(
     return found_blocker(blocker_of_pixel(casters, receiver));
 }
 
-fn shadow_blocker_fast(
+fn shadow_blocker_balanced(
     source: vec4f,
     map: vec4f,
     position: vec3f,
