@@ -204,43 +204,41 @@ impl ShaderModule {
 
     /// The module of a pass that draws what lights see; `None` for other passes.
     fn of_lights(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
-        let Some(LightModule { text, valid, .. }) = LightModule::of(pass)? else {
-            return Ok(None);
-        };
-        let bindings = reflect::bindings(&valid.module);
-        let feeds = bindings.iter().map(|bound| match (bound.kind, bound.binding) {
+        let feed = |bound: &BoundVariable| match (bound.kind, bound.binding) {
             (BindingType::Texture, _) => Feed::Inputs,
             (_, 0) => Feed::LightLayer,
             _ => Feed::LightCaster,
-        });
-        Ok(Some(Self {
-            name: pass.row().module(),
-            purpose: pass.row().help,
-            entry_points: reflect::entry_points(&valid.module),
-            feeds: feeds.collect(),
-            bindings,
-            code: Code::Fixed(text, Box::new(valid)),
-        }))
+        };
+        let module = LightModule::of(pass)?;
+        Ok(module.map(|module| Self::fixed(pass, module.text, module.valid, feed)))
     }
 
     /// The module of a pass over the whole picture; `None` where the pass draws meshes.
     fn of_screen(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
-        let Some(ScreenModule { text, valid, .. }) = ScreenModule::of(pass)? else {
-            return Ok(None);
-        };
-        let bindings = reflect::bindings(&valid.module);
-        let feeds = bindings.iter().map(|bound| match bound.kind {
+        let feed = |bound: &BoundVariable| match bound.kind {
             BindingType::Texture => Feed::Inputs,
             _ => Feed::Numbers,
-        });
-        Ok(Some(Self {
+        };
+        let module = ScreenModule::of(pass)?;
+        Ok(module.map(|module| Self::fixed(pass, module.text, module.valid, feed)))
+    }
+
+    /// A pass's module from a file of `shaders/passes`, with the feed of each binding.
+    fn fixed(
+        pass: PassId,
+        text: String,
+        valid: ValidModule,
+        feed: impl Fn(&BoundVariable) -> Feed,
+    ) -> Self {
+        let bindings = reflect::bindings(&valid.module);
+        Self {
             name: pass.row().module(),
             purpose: pass.row().help,
             entry_points: reflect::entry_points(&valid.module),
-            feeds: feeds.collect(),
+            feeds: bindings.iter().map(feed).collect(),
             bindings,
             code: Code::Fixed(text, Box::new(valid)),
-        }))
+        }
     }
 }
 
