@@ -51,6 +51,14 @@ fn middle_line_covers(distance: vec3f, width: vec3f) -> vec3f {
     return clamp(min(distance + 0.5, half) - max(distance - 0.5, -half), vec3f(0.0), vec3f(1.0));
 }
 
+/// What a line of any kind covers of a pixel, by how much nearer than the reach the edges of each
+/// kind are.
+fn any_line_covers(nearness: vec4f, widths: vec4f, reach: f32) -> f32 {
+    let near = clamp(bounded_vec4(nearness), vec4f(0.0), vec4f(reach));
+    let covers = lines_cover(near, widths, reach);
+    return max(max(covers.x, covers.y), max(covers.z, covers.w));
+}
+
 /// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
 /// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
 /// objects and borders of looks.

@@ -48,8 +48,14 @@ fn the_library_has_no_problems() {
 fn every_look_compiles_in_every_way() {
     for path in looks() {
         let look = load(&path);
-        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Facets, Stage::Eval]
-        {
+        for stage in [
+            Stage::Draw,
+            Stage::Normals,
+            Stage::DetailNormals,
+            Stage::Facets,
+            Stage::HiddenFacets,
+            Stage::Eval,
+        ] {
             for live in [Live::Keyed, Live::Exposed, Live::All] {
                 for unspecialized in [false, true] {
                     let options = CompileOptions {

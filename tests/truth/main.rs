@@ -8,6 +8,7 @@ mod contexts;
 mod family;
 mod handwritten;
 mod hard_cases;
+mod hidden_lines;
 mod joined_lights;
 mod keys;
 mod light_filters;

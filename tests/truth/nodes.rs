@@ -1310,6 +1310,8 @@ const ELSEWHERE: &[&str] = &[
     "smooth_normal",
     // outlines.rs
     "outline",
+    // hidden_lines.rs
+    "hidden_lines",
     // shape_passes.rs
     "litsphere_pair",
     "outer_contour",

@@ -141,6 +141,11 @@ impl Emitter<'_> {
             .collect()
     }
 
+    /// The pass whose surfaces the module leaves out.
+    fn front(&self) -> Option<PassId> {
+        self.options.stage.row().behind.and_then(PassId::from_slug)
+    }
+
     /// The name of the function that normalizes what is interpolated, in the cheapest tier that all
     /// nodes of the look allow.
     fn normalize_seen(&self) -> &'static str {
@@ -246,6 +251,11 @@ impl Emitter<'_> {
                     let name = pass.row().map;
                     push(BindingKind::Pass(pass), name, format!("var {name}: {texture};"));
                 }
+            }
+            // What lies behind is what the pass of the first surfaces does not show.
+            if let Some(front) = self.front() {
+                let name = front.row().map;
+                push(BindingKind::Pass(front), name, format!("var {name}: {texture};"));
             }
         } else {
             let samples = "var<storage, read> samples: array<Sample>;".to_owned();
@@ -405,10 +415,19 @@ impl Emitter<'_> {
             } else {
                 "object.id + 1.0"
             };
+            let left_out = self.front().map_or_else(String::new, |front| {
+                let map = front.row().map;
+                format!(
+                    "    // No nearer than the first surface, but for rounding.\n    \
+                     let first = textureLoad({map}, vec2i(in.clip.xy), 0).z;\n    \
+                     if depth <= first + 1e-5 * abs(first) {{\n        discard;\n    }}\n"
+                )
+            });
             writeln!(
                 self.out,
                 "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \
-                 let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;\n    \
+                 let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;\n\
+                 {left_out}    \
                  return surface_texel({unit}, depth, {number});\n}}"
             )
         } else {

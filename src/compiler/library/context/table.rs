@@ -279,6 +279,16 @@ pub(super) const TABLE: &[Row] = &[
     )
     .within(ContextBounds::Within(4.0 * MAX_PLACE))
     .given(&[0.0; 2], (Some(0.0), None)),
+    Row::of_pass(
+        "hidden_nearness",
+        "vec4f",
+        ("hidden_nearness", "texel"),
+        "how much nearer than the reach of lines the nearest edges of what lies behind the first \
+         surface are, by kind, in pixels; 0 where none is near",
+    )
+    .labeled("nearness of hidden edges")
+    .within(ContextBounds::Clamped(MAX_LINE_REACH))
+    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
     // A sample has no surroundings.
     Row::of_pass(
         "near_shares",

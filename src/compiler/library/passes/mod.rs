@@ -95,6 +95,9 @@ impl PassId {
     /// Pass over meshes that draws the surface from which the pass is made; `None` for a pass over
     /// meshes.
     pub fn surface(self) -> Option<Self> {
+        if !self.is_screen() {
+            return None;
+        }
         let mut read = self.row().reads.iter().filter_map(|input| Self::from_slug(input.pass));
         read.find(|pass| pass.stage().is_some())
     }
@@ -155,7 +158,9 @@ mod tests {
         assert!(TABLE.len() < usize::from(u8::MAX));
         assert_eq!(PassId::all().next_back(), Some(PassId::LOOK));
         assert!(PassId::all().all(|pass| pass.writes_picture() == (pass == PassId::LOOK)));
-        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Facets] {
+        for stage in
+            [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Facets, Stage::HiddenFacets]
+        {
             assert!(
                 stage.draws_meshes() && stage.draws_normals() != stage.is_picture(),
                 "{stage:?}"

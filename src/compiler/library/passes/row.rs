@@ -14,6 +14,8 @@ pub enum Stage {
     DetailNormals,
     /// Draws the surface's own normal with the numbers of object and look, for lines.
     Facets,
+    /// Draws the same of what lies behind the first surface.
+    HiddenFacets,
     /// Evaluates the look at given surface samples.
     Eval,
 }
@@ -31,6 +33,8 @@ pub struct StageRow {
     pub draws_normals: bool,
     /// True if what the module draws tells the looks of one object apart.
     pub tells_looks: bool,
+    /// Slug of the pass whose surfaces the module leaves out, to draw what lies behind them.
+    pub behind: Option<&'static str>,
 }
 
 /// Value that the modules of a stage compute.
@@ -53,6 +57,7 @@ impl Stage {
             value: StageValue::Context(Context::NORMAL),
             draws_normals: true,
             tells_looks: false,
+            behind: None,
         };
         const LOOK: StageRow = StageRow {
             help: "Draws a mesh with the look; the result is straight RGBA.",
@@ -60,6 +65,7 @@ impl Stage {
             value: StageValue::Output,
             draws_normals: false,
             tells_looks: false,
+            behind: None,
         };
         match self {
             Self::Draw => &LOOK,
@@ -73,6 +79,17 @@ impl Stage {
                         help: "Draws normals, depth, objects and looks, for the passes of lines.",
                         shade: "The normal that the passes of lines see.",
                         tells_looks: true,
+                        ..NORMALS
+                    }
+                }
+            }
+            Self::HiddenFacets => {
+                &const {
+                    StageRow {
+                        help: "Draws what lies behind the first surface, for hidden lines.",
+                        shade: "The normal that the passes of hidden lines see.",
+                        tells_looks: true,
+                        behind: Some("facets"),
                         ..NORMALS
                     }
                 }

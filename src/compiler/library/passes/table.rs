@@ -49,6 +49,18 @@ const LINES_READ: &[PassInput] = &[
     COLUMNS_READ[1],
     PassInput { binding: "columns", pass: "edge_columns", output: "edges" },
 ];
+/// Inputs of the same passes over what lies behind the first surface.
+const HIDDEN_EDGES_READ: &[PassInput] = &[
+    PassInput { binding: "surface", pass: "hidden_facets", output: "surface" },
+    PassInput { binding: "front", pass: "facets", output: "surface" },
+];
+const HIDDEN_COLUMNS_READ: &[PassInput] =
+    &[HIDDEN_EDGES_READ[0], PassInput { binding: "edges", pass: "hidden_edges", output: "edges" }];
+const HIDDEN_READ: &[PassInput] = &[
+    HIDDEN_COLUMNS_READ[0],
+    HIDDEN_COLUMNS_READ[1],
+    PassInput { binding: "columns", pass: "hidden_columns", output: "edges" },
+];
 const SHORT_READ: &[PassInput] = &[
     COLUMNS_READ[0],
     COLUMNS_READ[1],
@@ -92,6 +104,7 @@ const fn smooth(
 const fn columns(
     slug: &'static str,
     label: &'static str,
+    reads: &'static [PassInput],
     steps: &'static [(&'static str, i32); 1],
 ) -> PassRow {
     PassRow {
@@ -102,7 +115,7 @@ const fn columns(
             constants: steps,
             reach: steps[0].1 as u32,
         },
-        reads: COLUMNS_READ,
+        reads,
         writes: EDGES,
         map: "",
         purpose: "the nearest edges of columns",
@@ -285,10 +298,34 @@ pub(super) const TABLE: &[PassRow] = &[
         result: "edges are",
         help: "Finds where surfaces end, fold and meet.",
     },
-    columns("edge_columns", "edge columns", &[("STEPS", 16)]),
+    columns("edge_columns", "edge columns", COLUMNS_READ, &[("STEPS", 16)]),
     lines(("line_nearness", "lines", "line_nearness_map"), LINES_READ, &[("STEPS", 16)]),
-    columns("edge_columns_short", "edge columns nearby", &[("STEPS", 8)]),
+    columns("edge_columns_short", "edge columns nearby", COLUMNS_READ, &[("STEPS", 8)]),
     lines(("line_nearness_short", "lines nearby", "line_short_map"), SHORT_READ, &[("STEPS", 8)]),
+    PassRow {
+        slug: "hidden_facets",
+        label: "hidden facets",
+        work: PassWork::Meshes(Stage::HiddenFacets),
+        reads: &[PassInput { binding: "facet_map", pass: "facets", output: "surface" }],
+        writes: SURFACE,
+        map: "",
+        purpose: "hidden lines",
+        result: "what lies behind is",
+        help: "Draws what lies behind the first surface, for the passes of hidden lines.",
+    },
+    PassRow {
+        slug: "hidden_edges",
+        label: "hidden edges",
+        work: measured("hidden_edges", 14),
+        reads: HIDDEN_EDGES_READ,
+        writes: EDGES,
+        map: "",
+        purpose: "hidden edges",
+        result: "hidden edges are",
+        help: "Finds where surfaces behind the first end, fold and meet.",
+    },
+    columns("hidden_columns", "hidden edge columns", HIDDEN_COLUMNS_READ, &[("STEPS", 16)]),
+    lines(("hidden_nearness", "hidden lines", "hidden_map"), HIDDEN_READ, &[("STEPS", 16)]),
     PassRow {
         slug: "near_slices",
         label: "occlusion slices",
