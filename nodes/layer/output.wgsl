@@ -12,6 +12,8 @@ import chiaro::numeric;
 ///   asks for detail.
 /// @param cutoff "Alpha cutoff" default=0 min=0 max=1 : Fragments with less alpha than this are not
 ///   drawn, the others keep theirs; 0 draws all.
+/// @param id "Id" default=0 : Whole number by which *Outline* tells parts of a surface apart, such
+///   as one painted into an image: where it changes is a border of ids. 128 ids differ.
 /// @return color "Color" : The pixel.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
@@ -23,4 +25,8 @@ fn output_normal(normal: vec3f) -> vec3f {
 
 fn output_cutoff(cutoff: f32) -> f32 {
     return cutoff;
+}
+
+fn output_id(id: f32) -> f32 {
+    return id;
 }

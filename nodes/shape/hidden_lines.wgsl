@@ -17,7 +17,8 @@ import chiaro::total;
 ///   front of something else; 0 for none.
 /// @param creases "Creases" default=0.5 min=0 max=4 : Share where a surface folds by 30 degrees or
 ///   more.
-/// @param borders "Borders" default=1 min=0 max=4 : Share where two objects or two looks meet.
+/// @param borders "Borders" default=1 min=0 max=4 : Share where two objects, materials or
+///   ids meet.
 /// @param nearness from=hidden_nearness hidden
 /// @param viewport from=viewport hidden
 /// @param magnification from=magnification hidden
@@ -32,7 +33,7 @@ fn hidden_lines_height(
     viewport: vec2f,
 ) -> f32 {
     let shares = vec4f(silhouettes, creases, borders, borders);
-    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares);
+    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares, borders);
     return any_line_covers(nearness, widths, line_reach(viewport.y, LINE_STEPS));
 }
 
@@ -45,7 +46,7 @@ fn hidden_lines_pixels(
     viewport: vec2f,
 ) -> f32 {
     let shares = vec4f(silhouettes, creases, borders, borders);
-    let widths = line_widths(line_pixels(width, 1.0), shares);
+    let widths = line_widths(line_pixels(width, 1.0), shares, borders);
     return any_line_covers(nearness, widths, line_reach(viewport.y, LINE_STEPS));
 }
 
@@ -59,6 +60,6 @@ fn hidden_lines_scene(
     magnification: f32,
 ) -> f32 {
     let shares = vec4f(silhouettes, creases, borders, borders);
-    let widths = line_widths(line_pixels(width, magnification * viewport.y), shares);
+    let widths = line_widths(line_pixels(width, magnification * viewport.y), shares, borders);
     return any_line_covers(nearness, widths, line_reach(viewport.y, LINE_STEPS));
 }

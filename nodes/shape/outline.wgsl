@@ -4,8 +4,8 @@ import chiaro::total;
 /// Outline
 ///
 /// Ink where forms end, fold and meet, as values to be drawn in any color: silhouettes, creases,
-/// borders of objects and borders of looks, each as wide as it is told. A silhouette is drawn by
-/// what lies in front, as wide as it is; where two surfaces meet, each draws its half of the line.
+/// borders of objects, of materials and of ids, each as wide as it is told. A silhouette is drawn
+/// by what lies in front, as wide as it is; where two surfaces meet, each draws its half of the line.
 /// Wire the width to a curvature, a tone or a noise and lines taper.
 ///
 /// @choice unit "Unit" default=height height="Of the height" pixels="Pixels" scene="Of the scene" :
@@ -18,8 +18,10 @@ import chiaro::total;
 /// @param creases "Creases" default=0.5 min=0 max=4 : Share where a surface folds by 30 degrees or
 ///   more.
 /// @param borders "Borders of objects" default=1 min=0 max=4 : Share where two objects meet.
-/// @param look_borders "Borders of looks" default=0 min=0 max=4 : Share where two looks of an
-///   object meet.
+/// @param material_borders "Borders of materials" default=0 min=0 max=4 : Share where two
+///   materials of an object meet.
+/// @param id_borders "Borders of ids" default=0 min=0 max=4 : Share where the *Id* of a look's
+///   *Output* changes within a material.
 /// @param nearness from=line_nearness hidden
 /// @param middle from=middle_surface hidden
 /// @param depth from=depth hidden
@@ -36,7 +38,8 @@ fn outline_height(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     middle: vec2f,
     depth: f32,
@@ -47,8 +50,9 @@ fn outline_height(
     let pixels = magnification * viewport.y;
     let reach = line_reach(viewport.y, LINE_STEPS);
     let own = own_nearness(nearness, middle, depth, object, pixels, reach);
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    return drawn_outline(line_widths(line_pixels(width, 0.001 * viewport.y), shares), own, reach);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares, id_borders);
+    return drawn_outline(widths, own, reach);
 }
 
 fn outline_pixels(
@@ -56,7 +60,8 @@ fn outline_pixels(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     middle: vec2f,
     depth: f32,
@@ -67,8 +72,9 @@ fn outline_pixels(
     let pixels = magnification * viewport.y;
     let reach = line_reach(viewport.y, LINE_STEPS);
     let own = own_nearness(nearness, middle, depth, object, pixels, reach);
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    return drawn_outline(line_widths(line_pixels(width, 1.0), shares), own, reach);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, 1.0), shares, id_borders);
+    return drawn_outline(widths, own, reach);
 }
 
 fn outline_scene(
@@ -76,7 +82,8 @@ fn outline_scene(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     middle: vec2f,
     depth: f32,
@@ -87,8 +94,9 @@ fn outline_scene(
     let pixels = magnification * viewport.y;
     let reach = line_reach(viewport.y, LINE_STEPS);
     let own = own_nearness(nearness, middle, depth, object, pixels, reach);
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    return drawn_outline(line_widths(line_pixels(width, pixels), shares), own, reach);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, pixels), shares, id_borders);
+    return drawn_outline(widths, own, reach);
 }
 
 fn outline_height_fast(
@@ -96,12 +104,13 @@ fn outline_height_fast(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     viewport: vec2f,
 ) -> Outline {
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, 0.001 * viewport.y), shares, id_borders);
     return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
 }
 
@@ -110,12 +119,13 @@ fn outline_pixels_fast(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     viewport: vec2f,
 ) -> Outline {
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    let widths = line_widths(line_pixels(width, 1.0), shares);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, 1.0), shares, id_borders);
     return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
 }
 
@@ -124,13 +134,14 @@ fn outline_scene_fast(
     silhouettes: f32,
     creases: f32,
     borders: f32,
-    look_borders: f32,
+    material_borders: f32,
+    id_borders: f32,
     nearness: vec4f,
     viewport: vec2f,
     magnification: f32,
 ) -> Outline {
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    let widths = line_widths(line_pixels(width, magnification * viewport.y), shares);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(line_pixels(width, magnification * viewport.y), shares, id_borders);
     return drawn_outline(widths, nearness, line_reach(viewport.y, FEW_LINE_STEPS));
 }
 
@@ -138,18 +149,21 @@ struct Outline {
     /// From 0 beside lines to 1 on them.
     line: f32,
     /// The line's kind where it is drawn: 1 a silhouette, 2 a crease, 3 a border of objects, 4 a
-    /// border of looks; 0 beside lines.
+    /// border of materials, 5 a border of ids; 0 beside lines.
     kind: f32,
     /// To the nearest edge of a kind that is drawn, in pixels; as far as lines reach where none is
     /// near.
     distance: f32,
 }
 
-fn drawn_outline(widths: vec4f, of_edges: vec4f, reach: f32) -> Outline {
-    let nearness = clamp(bounded_vec4(of_edges), vec4f(0.0), vec4f(reach));
+fn drawn_outline(line_widths: LineWidths, of_edges: vec4f, reach: f32) -> Outline {
+    let signed = clamp(bounded_vec4(of_edges), vec4f(-reach), vec4f(reach));
+    let nearness = abs(signed);
+    let widths = widths_near(signed, line_widths);
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
-    var kind = select(4.0, 3.0, covers.z == line);
+    var kind = select(4.0, 5.0, signed.w < 0.0);
+    kind = select(kind, 3.0, covers.z == line);
     kind = select(kind, 2.0, covers.y == line);
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));

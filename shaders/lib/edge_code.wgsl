@@ -1,5 +1,7 @@
 // Straight edges near pixels, each packed into one number that an f32 holds exactly, so that a
-// texel has four: one of each kind.
+// texel has four. Borders of materials and borders of ids share the last one: those of ids are
+// negative.
+import chiaro::slope;
 
 /// Levels of a fine code's direction and of its place, by which an edge is told within 1/2000 of a
 /// pixel.
@@ -16,6 +18,11 @@ const FAR = 1e9;
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
 fn object_in(number: f32) -> f32 {
     return floor(abs(number));
+}
+
+/// The number of the material in a texel's number, from 0 on.
+fn material_in(number: f32) -> f32 {
+    return floor(fract(abs(number)) * MATERIALS);
 }
 
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
@@ -43,7 +50,7 @@ fn coarse_codes(codes: vec4f) -> vec4f {
     return floor(place * share) * COARSE + floor(direction * share);
 }
 
-/// The edges that codes of so many levels say.
+/// The edges that codes of so many levels say, each 0 or more.
 fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
     let place = floor(codes / levels);
     let turn = (codes - levels * place + 0.5) * (4.0 / levels);
@@ -57,22 +64,25 @@ fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
 /// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
-/// edge is a silhouette, which counts on its inner side alone: beyond it is [`FAR`].
-fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// edge is a silhouette, which counts on its inner side alone unless `beyond` says both: outside it
+/// is [`FAR`].
+fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let x = columns + edges.x * edges.offset;
     let y = rows + edges.y * edges.offset;
     let inward = x.x * edges.x.x + y.x * edges.y.x;
     let distances = sqrt(x * x + y * y);
-    return vec4f(select(distances.x, FAR, inward < -1.0), distances.yzw);
+    return vec4f(select(distances.x, FAR, inward < -1.0 && !beyond), distances.yzw);
 }
 
 /// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
-/// pixels from it. The first is a silhouette, and 0 away beyond, where a pixel is only touched.
-fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// pixels from it. The first is a silhouette, and 0 away beyond it, where a pixel is only touched,
+/// unless `beyond` pixels count as those within do.
+fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let across = edges.offset + edges.x * columns + edges.y * rows;
     let along = abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
-    let beyond = max(along - 1.0, vec4f(0.0));
-    let side = vec4f(max(across.x, 0.0), abs(across.yzw));
-    return sqrt(side * side + beyond * beyond);
+    let past = max(along - 1.0, vec4f(0.0));
+    let inner = select(max(across.x, 0.0), abs(across.x), beyond);
+    let side = vec4f(inner, abs(across.yzw));
+    return sqrt(side * side + past * past);
 }

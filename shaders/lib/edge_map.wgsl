@@ -5,11 +5,13 @@
 import chiaro::curvature_map;
 import chiaro::edge_code;
 
-/// Kinds of edges, by their places in a texel.
+/// Kinds of edges, by their places in a texel; borders of ids are in the place of materials,
+/// negative.
 const SILHOUETTE = 0;
 const CREASE = 1;
 const OBJECT_BORDER = 2;
-const LOOK_BORDER = 3;
+const MATERIAL_BORDER = 3;
+const ID_BORDER = 4;
 const NO_EDGE = -1;
 
 /// Change of the unit normal, beyond that of a round form, from which an edge is a crease:
@@ -27,7 +29,7 @@ struct Facet {
     /// Toward the eye in camera axes, of a length of 1 and more.
     toward: vec3f,
     depth: f32,
-    /// The texel's number: the object's and the look's.
+    /// The texel's number: the object's, the material's and the id's.
     number: f32,
     /// Change of depth from a pixel to the next, along columns and rows.
     rise: vec2f,
@@ -100,7 +102,9 @@ fn edge_between(own: Facet, pixel: vec2i, step: vec2i) -> Edge {
         return Edge(OBJECT_BORDER, vec2f(0.0), 0.0, 0.0);
     }
     if own.number != other.number {
-        return Edge(LOOK_BORDER, vec2f(0.0), 0.0, 0.0);
+        let is_material = material_in(own.number) != material_in(other.number);
+        let kind = select(ID_BORDER, MATERIAL_BORDER, is_material);
+        return Edge(kind, vec2f(0.0), 0.0, 0.0);
     }
     let bend = length(own.normal - other.normal);
     if bend < LEAST_BEND || bend - round_bend(own, other, pixel, step) < LEAST_BEND {
@@ -311,7 +315,7 @@ fn goes_on(own: Facet, slope: vec2f, size: f32, pixel: vec2i, step: vec2i) -> bo
 }
 
 /// Codes of the edges of each kind between a pixel and the four beside it, those that are known
-/// best; 0 for none.
+/// best; 0 for none, and negative for borders of ids.
 fn edges_at(pixel: vec2i) -> vec4f {
     let own = facet_at(pixel);
     if own.number == 0.0 {
@@ -338,10 +342,12 @@ fn edges_at(pixel: vec2i) -> vec4f {
         if edge.kind != SILHOUETTE {
             edge = meeting(own, pixel, step, edge.kind);
         }
-        let is_kind = vec4i(edge.kind) == vec4i(SILHOUETTE, CREASE, OBJECT_BORDER, LOOK_BORDER);
+        let place = min(edge.kind, MATERIAL_BORDER);
+        let is_kind = vec4i(place) == vec4i(SILHOUETTE, CREASE, OBJECT_BORDER, MATERIAL_BORDER);
         let is_better = is_kind & (vec4f(edge.trust) > trust);
         trust = select(trust, vec4f(edge.trust), is_better);
-        codes = select(codes, vec4f(edge_code(edge.normal, edge.offset)), is_better);
+        let code = edge_code(edge.normal, edge.offset);
+        codes = select(codes, vec4f(select(code, -code, edge.kind == ID_BORDER)), is_better);
     }
     return codes;
 }

@@ -2,7 +2,8 @@
 // the columns, which finds the nearest for few reads however far away it is.
 //
 // A pixel sees the edges of its own surface alone: a line belongs to what lies in front, and what
-// lies behind draws none for it.
+// lies behind draws none for it. Lines of what is hidden belong to nothing that is seen there:
+// every pixel sees them, on both sides.
 import chiaro::curvature_map;
 import chiaro::edge_code;
 import chiaro::lines;
@@ -21,8 +22,9 @@ fn is_same_surface(own: Plane, texel: vec4f, offset: vec2f) -> bool {
 }
 
 /// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row
-/// from the pixel; 0 for none. `reach` is how far edges are looked for, in pixels.
-fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
+/// from the pixel; 0 for none, negative for a border of ids. `reach` is how far edges are looked
+/// for, in pixels; `of_all` if those of other surfaces count, too.
+fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32, of_all: bool) -> vec4f {
     let last = vec2i(textureDimensions(surface)) - 1;
     var nearest = vec4f(FAR);
     var codes = vec4f(0.0);
@@ -32,15 +34,17 @@ fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
         if all(found == vec4f(0.0)) {
             continue;
         }
-        if !is_same_surface(own, textureLoad(surface, at, 0), vec2f(0.0, f32(row))) {
+        if !of_all && !is_same_surface(own, textureLoad(surface, at, 0), vec2f(0.0, f32(row))) {
             continue;
         }
+        let fine = abs(found);
         let distances = select(vec4f(FAR),
-            middle_distances(edges_of(found, FINE), vec4f(0.0), vec4f(f32(row))),
-            found > vec4f(0.0));
+            middle_distances(edges_of(fine, FINE), vec4f(0.0), vec4f(f32(row)), of_all),
+            fine > vec4f(0.0));
         let is_nearer = distances < nearest;
         nearest = select(nearest, distances, is_nearer);
-        codes = select(codes, coarse_codes(found) + ROW * (f32(row) + MOST_ROWS), is_nearer);
+        let coarse = coarse_codes(fine) + ROW * (f32(row) + MOST_ROWS);
+        codes = select(codes, select(coarse, -coarse, found < vec4f(0.0)), is_nearer);
     }
     return codes;
 }

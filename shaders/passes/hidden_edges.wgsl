@@ -28,5 +28,5 @@ fn comes_out(pixel: vec2i, edges: EdgeLines) -> bool {
     let texel = textureLoad(front, clamp(pixel + step, vec2i(0), last), 0);
     let error = abs(texel.z - own.depth - dot(own.gentle_rise, vec2f(step)));
     let tolerance = 2.0 * (pixel_size_at(own.depth) + length(own.gentle_rise));
-    return abs(texel.w) == own.number && error <= tolerance;
+    return object_in(texel.w) == object_in(own.number) && error <= tolerance;
 }

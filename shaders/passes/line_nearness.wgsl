@@ -1,9 +1,11 @@
 // How much nearer than the reach of lines the nearest edges are, in pixels: silhouettes, creases,
-// borders of objects and borders of looks; 0 where none is near.
+// borders of objects, and borders of materials or, negative, of ids; 0 where none is near.
 import chiaro::line_map;
 
 /// Steps of 1/800 of the picture's height to which edges are looked for.
 const STEPS = 16;
+/// 1 where edges of all surfaces count, on both sides; 0 where those of a pixel's own do.
+const OF_ALL = 0;
 
 /// The nearest edges in each pixel's column, as [`nearest_in_column`] finds them.
 @group(0) @binding(3) var columns: texture_2d<f32>;
@@ -17,7 +19,7 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
     let seen = seen_pixel(pixel).texel;
-    if seen.w == 0.0 {
+    if OF_ALL == 0 && seen.w == 0.0 {
         return vec4f(0.0);
     }
     return nearness_at(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)));
@@ -37,15 +39,16 @@ fn nearness_at(pixel: vec2i, own: Plane) -> vec4f {
             continue;
         }
         // A pixel that only touches its object shows none.
-        if column != 0
+        if OF_ALL == 0 && column != 0
             && !is_same_surface(own, textureLoad(surface, at, 0), vec2f(f32(column), 0.0)) {
             continue;
         }
-        let rows = floor(found / ROW);
-        let lines = edges_of(found - ROW * rows, COARSE);
+        let coarse = abs(found);
+        let rows = floor(coarse / ROW);
+        let lines = edges_of(coarse - ROW * rows, COARSE);
         let places = rows - MOST_ROWS;
         let distances = select(vec4f(FAR),
-            middle_distances(lines, vec4f(f32(column)), places), found > vec4f(0.0));
+            middle_distances(lines, vec4f(f32(column)), places, OF_ALL == 1), coarse > vec4f(0.0));
         let is_nearer = distances < nearest;
         nearest = select(nearest, distances, is_nearer);
         across = select(across, vec4f(f32(column)), is_nearer);
@@ -63,7 +66,8 @@ fn nearness_at(pixel: vec2i, own: Plane) -> vec4f {
         textureLoad(edges, vec2i(x.z, y.z), 0).z,
         textureLoad(edges, vec2i(x.w, y.w), 0).w,
     );
-    let distances = edge_distances(edges_of(codes, FINE), across, down);
+    let distances = edge_distances(edges_of(abs(codes), FINE), across, down, OF_ALL == 1);
     let nearness = clamp(f32(reach) - distances, vec4f(0.0), vec4f(f32(reach)));
-    return select(vec4f(0.0), nearness, nearest < vec4f(FAR));
+    let near = select(vec4f(0.0), nearness, nearest < vec4f(FAR));
+    return select(near, -near, codes < vec4f(0.0));
 }

@@ -2,9 +2,12 @@
 //! looks, which nodes filter them, and whose shadows fall on what, each with the rule that decides.
 //! Needs no GPU.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::hash::Hash;
 use std::path::PathBuf;
 
+use indexmap::IndexMap;
 use serde_json::{Value as Json, json};
 
 use super::open::library_for;
@@ -43,6 +46,9 @@ pub(super) struct Arguments {
 
 /// Number of shadows, of a light from an object onto another, that are told one by one.
 const MOST_SHADOWS: usize = 20_000;
+
+/// Number of objects that a line names.
+const MOST_NAMED: usize = 6;
 
 /// Relations of lights to objects, to nodes of their looks, and to shadows.
 struct LightMatrix {
@@ -226,28 +232,79 @@ fn matrix(lights: &[OwnedLight], found: &LightMatrix) -> String {
     text + &lines
 }
 
-/// A line for each light that does not reach a thing, does not pass through it, or casts no shadow
-/// onto it, with the rule.
+/// A line for each rule by which lights do not reach things, do not pass through them, or cast no
+/// shadows onto them, with all that it decides about.
 fn exceptions(found: &LightMatrix) -> String {
+    let objects = found.reach.iter().map(|cell| cell.object.as_str());
+    let count = objects.collect::<BTreeSet<_>>().len();
     let mut text = String::new();
-    for LightReach { object, light, words, .. } in found.reach.iter().filter(|cell| !cell.reaches) {
-        let _ = writeln!(text, "{light} does not reach {object}: {words}");
+    let dark = found.reach.iter().filter(|cell| !cell.reaches);
+    let unreached = dark.map(|LightReach { object, light, words, .. }| {
+        ((format!("{light} does not reach"), words.as_str()), object.to_string())
+    });
+    for ((begin, words), objects) in joined(unreached) {
+        let _ = writeln!(text, "{begin} {}: {words}", listed(&objects, count));
     }
-    for LayerReach { object, reach, .. } in found.reach.iter().flat_map(|c| found.dark_layers(c)) {
-        let NodeReach { light, node, words, .. } = reach;
-        let _ = writeln!(text, "{light} does not reach {node} of {object}: {words}");
-    }
+    let dark = found.reach.iter().flat_map(|cell| found.dark_layers(cell));
+    write_layers(&mut text, "does not reach", dark, count);
     let is_passed = |layer: &&LayerReach| {
         layer.reach.relation == LightRelation::Filtered && !layer.reach.reaches
     };
-    for LayerReach { object, reach, .. } in found.layers.iter().filter(is_passed) {
-        let NodeReach { light, node, words, .. } = reach;
-        let _ = writeln!(text, "{light} passes by {node} of {object}: {words}");
-    }
-    for shadow in found.shadows.iter().filter(|shadow| shadow.is_by_link && !shadow.falls) {
+    write_layers(&mut text, "passes by", found.layers.iter().filter(is_passed), count);
+    let linked = found.shadows.iter().filter(|shadow| shadow.is_by_link && !shadow.falls);
+    let onto = joined(linked.map(|shadow| {
         let ShadowReach { light, caster, onto, words, .. } = shadow;
         let onto = if caster == onto { "itself" } else { onto.as_str() };
-        let _ = writeln!(text, "{caster} casts no shadow of {light} onto {onto}: {words}");
+        ((caster.as_str(), light.to_string(), words.as_str()), onto.to_owned())
+    }));
+    let lights = joined(
+        onto.into_iter()
+            .map(|((caster, light, words), onto)| ((caster, listed(&onto, count), words), light)),
+    );
+    for ((caster, onto, words), lights) in lights {
+        let lights = lights.join(", ");
+        let _ = writeln!(text, "{caster} casts no shadow of {lights} onto {onto}: {words}");
     }
     text
+}
+
+/// Lines for nodes of looks that lights leave out: those of one rule together.
+fn write_layers<'m>(
+    text: &mut String,
+    verb: &str,
+    layers: impl Iterator<Item = &'m LayerReach>,
+    count: usize,
+) {
+    let nodes = joined(layers.map(|LayerReach { object, reach, .. }| {
+        let NodeReach { light, node, words, .. } = reach;
+        ((object.to_string(), light.to_string(), words.as_str()), node.to_string())
+    }));
+    let objects = joined(
+        nodes.into_iter().map(|((object, light, words), nodes)| ((light, nodes, words), object)),
+    );
+    for ((light, nodes, words), objects) in objects {
+        let (nodes, objects) = (nodes.join(", "), listed(&objects, count));
+        let _ = writeln!(text, "{light} {verb} {nodes} of {objects}: {words}");
+    }
+}
+
+/// Things of one key together, in the order in which the keys come first.
+fn joined<K: Hash + Eq>(all: impl Iterator<Item = (K, String)>) -> IndexMap<K, Vec<String>> {
+    let mut joined: IndexMap<K, Vec<String>> = IndexMap::new();
+    for (key, thing) in all {
+        joined.entry(key).or_default().push(thing);
+    }
+    joined
+}
+
+/// Objects by name, or in a word where they are all of a number above [`MOST_NAMED`].
+fn listed(objects: &[String], count: usize) -> String {
+    if objects.len() == count && count > MOST_NAMED {
+        format!("all {count} objects")
+    } else if objects.len() > MOST_NAMED {
+        let rest = objects.len() - MOST_NAMED;
+        format!("{} and {rest} more (--json names them)", objects[..MOST_NAMED].join(", "))
+    } else {
+        objects.join(", ")
+    }
 }

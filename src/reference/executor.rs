@@ -143,7 +143,12 @@ fn run(
             Some(stage) if id.writes_picture() => {
                 let raster = draw(plan, (id, stage), images, shaders, options, &progress)?;
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
-                picture = Some(ReferencePicture::new(raster, plan.samples, objects));
+                let mut drawn = ReferencePicture::new(raster, plan.samples, objects);
+                let over = plan.passes.iter().filter(|pass| pass.id.is_over());
+                for lines in over.filter_map(|pass| images.first(pass.id)) {
+                    drawn.lay_over(lines);
+                }
+                picture = Some(drawn);
                 continue;
             }
             Some(stage) => draw(plan, (id, stage), images, shaders, &around, &progress)?.texels,

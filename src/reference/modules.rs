@@ -269,7 +269,7 @@ impl ShaderFactory for Modules {
                     bindings.texture(0, binding.binding, texture(texels)?);
                 }
                 ScreenResource::Numbers(numbers) => {
-                    let numbers = plan.view.numbers(numbers, plan.samples);
+                    let numbers = plan.numbers(numbers);
                     buffer(&mut bindings, stages, binding.binding, &numbers);
                 }
             }

@@ -29,6 +29,15 @@ impl ReferencePicture {
         Self { size: color.size, samples, color, coverage, depths, objects }
     }
 
+    /// Lays a premultiplied image of the same size over the picture.
+    pub(super) fn lay_over(&mut self, image: &Texels) {
+        let pixels = self.color.values.chunks_exact_mut(4).zip(image.values.chunks_exact(4));
+        for (pixel, over) in pixels {
+            let through = 1.0 - over[3];
+            pixel.iter_mut().zip(over).for_each(|(below, above)| *below = above + through * *below);
+        }
+    }
+
     /// A pixel by column and row, straight RGBA; all channels are 0 where alpha is.
     ///
     /// # Panics

@@ -109,7 +109,8 @@ impl Renderer {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
         let deferral = self.deferral(plan);
         let mut ran = Vec::new();
-        for pass in &plan.passes {
+        // What is laid over the picture follows the looks.
+        for pass in plan.passes.iter().filter(|pass| !pass.id.is_over()) {
             if self.done.get(&pass.id) == Some(&pass.input_hash) {
                 continue;
             }
@@ -130,6 +131,12 @@ impl Renderer {
                 (Some(stage), _) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }
             ran.push(pass.id);
+            if pass.id.writes_picture() {
+                for over in plan.passes.iter().map(|pass| pass.id).filter(|id| id.is_over()) {
+                    self.draw_screen(plan, over, &mut encoder)?;
+                    ran.push(over);
+                }
+            }
         }
         self.gpu.queue.submit([encoder.finish()]);
         // After an error the content of the targets is unknown, so no pass counts as done.

@@ -58,7 +58,7 @@ impl Targets {
             self.triangles = Some(view(gpu, plan.size, TRIANGLES, 1));
         }
         // What lights see has sizes of its own.
-        let is_kept = |id: &PassId| !id.writes_picture() && !id.is_of_lights();
+        let is_kept = |id: &PassId| !id.writes_picture() && !id.is_of_lights() && !id.is_over();
         for pass in plan.passes.iter().map(|pass| pass.id).filter(is_kept) {
             for image in PassImage::written(pass) {
                 let format = format_of(gpu, pass.row().writes[image.output].format);

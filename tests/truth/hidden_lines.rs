@@ -65,13 +65,13 @@ fn place(pixel: usize, within: DVec2) -> DVec2 {
     DVec2::new(at.x - middle, middle - at.y)
 }
 
-/// The share of a pixel that a ring of so many pixels within the radius 1 covers.
+/// The share of a pixel that a ring of so many pixels around the radius 1 covers.
 fn ring(pixel: usize, width: f64) -> f64 {
     const SIDE: usize = 16;
     let is_line = |index: &usize| {
         let within = DVec2::new((index % SIDE) as f64, (index / SIDE) as f64);
         let from_middle = place(pixel, (within + 0.5) / SIDE as f64).length();
-        (PIXELS - width..PIXELS).contains(&from_middle)
+        (from_middle - PIXELS).abs() <= 0.5 * width
     };
     (0..SIDE * SIDE).filter(is_line).count() as f64 / (SIDE * SIDE) as f64
 }
@@ -113,9 +113,9 @@ fn what_comes_out_does_not_end() {
         if at.length() < PIXELS - 6.0 {
             beside += 1;
             assert!(found < 0.01, "{at}: a line of {found} within the ball");
-        } else if at.x > 0.0 {
+        } else if at.x > 2.0 {
             assert!(found < 0.01, "{at}: {found} on the ball itself");
-        } else if ring(pixel, 3.0) == 1.0 {
+        } else if at.x < -2.0 && ring(pixel, 3.0) == 1.0 {
             on += 1;
             assert!(found > 0.9, "{at}: {found} on the hidden line");
         }
@@ -128,10 +128,13 @@ fn what_comes_out_does_not_end() {
 fn passes_of_hidden_lines_exist_only_while_asked_for() {
     let slugs = ["facets", "hidden_facets", "hidden_edges", "hidden_columns", "hidden_nearness"];
     let wanted: Vec<PassId> = slugs.map(PassId::named).into_iter().chain([PassId::LOOK]).collect();
-    let passes = |width: f64| {
-        let plan = planned(&ball_behind_wall(width, 0.0), 4);
-        plan.passes.iter().map(|pass| pass.id).collect::<Vec<_>>()
-    };
-    assert_eq!(passes(3.0), wanted);
-    assert_eq!(passes(0.0), [PassId::LOOK]);
+    let passes =
+        |setup: &Setup| planned(setup, 4).passes.iter().map(|pass| pass.id).collect::<Vec<_>>();
+    let mut setup = ball_behind_wall(3.0, 0.0);
+    assert_eq!(passes(&setup), wanted);
+    let unread = look(&json!({"nodes": [{"id": "lines", "kind": "hidden_lines"},
+            {"id": "tone", "kind": "color_value"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "tone", "to": "output.color"}]}));
+    setup.looks.iter_mut().for_each(|look| look.clone_from(&unread));
+    assert_eq!(passes(&setup), [PassId::LOOK]);
 }

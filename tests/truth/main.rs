@@ -17,6 +17,7 @@ mod nodes;
 mod outlines;
 mod pruned;
 mod raster;
+mod scene_outlines;
 mod screen_occlusion;
 mod shadow_maps;
 mod shadows;

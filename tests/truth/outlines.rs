@@ -24,13 +24,13 @@ const SEEN: f64 = 4.0;
 const PIXELS: f64 = SIZE as f64 / SEEN;
 
 /// A look that shows an output of an outline whose kinds have these shares of the width: of
-/// silhouettes, creases, borders of objects and borders of looks.
+/// silhouettes, creases, borders of objects and borders of materials.
 fn outlined(output: &str, width: f64, shares: [f64; 4]) -> SetupLook {
-    let [silhouettes, creases, borders, look_borders] = shares;
+    let [silhouettes, creases, borders, material_borders] = shares;
     shown(
         output,
         &json!({"unit": "pixels", "width": width, "silhouettes": silhouettes,
-            "creases": creases, "borders": borders, "look_borders": look_borders}),
+            "creases": creases, "borders": borders, "material_borders": material_borders}),
     )
 }
 
@@ -275,7 +275,7 @@ fn two_objects_that_meet_draw_half_of_a_line_each() {
 }
 
 #[test]
-fn looks_of_an_object_that_meet_draw_half_of_a_line_each() {
+fn materials_of_an_object_that_meet_draw_half_of_a_line_each() {
     let width = 4.0;
     let at = |x: f64, y: f64| (DVec3::new(x, y, 0.0), DVec3::Z);
     for slope in [0.0, 0.07, 0.23, 0.61, 1.0] {
@@ -292,17 +292,85 @@ fn looks_of_an_object_that_meet_draw_half_of_a_line_each() {
             vec![(outlined("line", width, [0.0, 0.0, 0.0, 1.0]), mesh, DMat4::IDENTITY)],
             from_front(),
         );
-        setup.looks.push(outlined("line", width, [0.0, 0.0, 0.0, 1.0]));
-        setup.objects[0].looks = vec![Some(0), Some(1)];
+        // Both parts wear one look.
+        setup.objects[0].looks = vec![Some(0); 2];
         let found = on_gpu(&setup);
         let ends = [left, right].map(|(at, _)| PIXELS * at.truncate());
         let is_line = |at: DVec2| distance(at, ends) <= 0.5 * width;
         let [most, mean] = errors(&found, &is_line, &|at| at.abs().max_element() < 50.0);
-        println!("two looks, slope {slope}: {most:.3}, mean {mean:.4}");
+        println!("two materials, slope {slope}: {most:.3}, mean {mean:.4}");
         // What runs along the pixels may lie anywhere between two rows.
         let bounds = if slope == 0.0 { [0.51, 0.51] } else { [0.15, 0.06] };
         assert!(most <= bounds[0] && mean <= bounds[1], "{slope}: {most}, {mean}");
     }
+}
+
+/// A look whose outlines show borders of materials and ids, in these shares of a width of four
+/// pixels. Its ids count units along x: they change at halves.
+fn numbered(output: &str, materials: f64, ids: f64) -> SetupLook {
+    look(&json!({"nodes": [
+            {"id": "at", "kind": "position", "values": {"space": "object"}},
+            {"id": "parts", "kind": "separate_vector"},
+            {"id": "lines", "kind": "outline", "values": {"unit": "pixels", "width": 4.0,
+                "silhouettes": 0.0, "creases": 0.0, "borders": 0.0,
+                "material_borders": materials, "id_borders": ids}},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "at", "to": "parts.vector"}, {"from": "parts.x", "to": "output.id"},
+            {"from": format!("lines.{output}"), "to": "output.color"}]}))
+}
+
+/// Ids and materials have widths of their own, side by side on one surface.
+#[test]
+fn ids_and_materials_have_lines_of_their_own() {
+    let at = |x: f64, y: f64| (DVec3::new(x, y, 0.0), DVec3::Z);
+    // A strip of two materials, which meet at y = 0.05; ids change at x = -0.5, 0.5 and so on.
+    let square = |low: f64, high: f64| {
+        let [a, b, c, d] = [at(-3.0, low), at(3.0, low), at(3.0, high), at(-3.0, high)];
+        [[a, b, c], [a, c, d]]
+    };
+    let mut mesh = mesh_of(&[square(-3.0, 0.05), square(0.05, 3.0)].concat());
+    mesh.parts = vec![
+        MeshPart { material: "low".into(), indices: 0..6, ..MeshPart::default() },
+        MeshPart { material: "high".into(), indices: 6..12, ..MeshPart::default() },
+    ];
+    let turn = 0.3_f64;
+    let drawn_with = |output: &str, materials: f64, ids: f64| {
+        let look = numbered(output, materials, ids);
+        let placed = DMat4::from_rotation_z(turn);
+        let mut setup = scene_of(vec![(look, mesh.clone(), placed)], from_front());
+        setup.objects[0].looks = vec![Some(0); 2];
+        setup
+    };
+    let own = |at: DVec2| DVec2::from_angle(-turn).rotate(at) / PIXELS;
+    let from_material = |at: DVec2| PIXELS * (own(at).y - 0.05).abs();
+    let from_id = |at: DVec2| PIXELS * ((own(at).x - 0.5) - (own(at).x - 0.5).round()).abs();
+    for (materials, ids) in [(1.0, 0.0), (0.0, 1.0), (1.0, 0.5)] {
+        let is_line = |at: DVec2| {
+            from_material(at) <= 2.0 * materials && materials > 0.0
+                || from_id(at) <= 2.0 * ids && ids > 0.0
+        };
+        // Where both are near, the nearer one says the width.
+        let is_apart = |at: DVec2| from_material(at).max(from_id(at)) > 6.0;
+        let found = on_gpu(&drawn_with("line", materials, ids));
+        let [most, mean] =
+            errors(&found, &is_line, &|at| is_apart(at) && at.abs().max_element() < 50.0);
+        println!("materials {materials}, ids {ids}: {most:.3}, mean {mean:.4}");
+        assert!(most <= 0.25 && mean <= 0.06, "{materials}, {ids}: {most}, {mean}");
+    }
+    let kinds = on_gpu(&drawn_with("kind", 1.0, 1.0));
+    for (pixel, kind) in kinds.iter().enumerate() {
+        let at = place(pixel, DVec2::splat(0.5));
+        let (material, id) = (from_material(at), from_id(at));
+        if at.abs().max_element() < 50.0 && material.max(id) > 6.0 && material.min(id) < 1.0 {
+            let truth = if material < id { 4.0 } else { 5.0 };
+            assert_eq!(*kind, Some(truth), "{at}");
+        }
+    }
+    let plan = planned(&drawn_with("line", 1.0, 0.6), 1);
+    let (gpu, truth) = (drawn(&mut *renderer(), &plan), drawn(&mut Reference::default(), &plan));
+    let pairs = gpu.rgba.iter().zip(&truth.rgba);
+    let far = pairs.filter(|(a, b)| (a[0] - b[0]).abs() > 0.02).count();
+    assert!(far * 200 < gpu.rgba.len(), "{far} pixels differ from the reference");
 }
 
 #[test]

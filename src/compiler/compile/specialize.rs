@@ -203,15 +203,21 @@ impl Needs {
     }
 }
 
+/// An output of a look that its module computes beside the root, by its name: `color` and `cutoff`
+/// where fragments are cut away, and `id` where edges tell ids apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NamedOutput {
+    pub(super) name: &'static str,
+    pub(super) value: ValueId,
+}
+
 /// A look as values, ready to be written down.
 #[derive(Clone, Debug)]
 pub(super) struct SpecializedGraph {
     pub(super) values: Vec<ComputedValue>,
     pub(super) root: ValueId,
-    /// The look's color, where the root is something else.
-    pub(super) color: Option<ValueId>,
-    /// The alpha below which a fragment is not drawn, if any can be.
-    pub(super) cutoff: Option<ValueId>,
+    /// Outputs of the look that are shown beside the root.
+    pub(super) beside: Vec<NamedOutput>,
     pub(super) images: Vec<ImageUse>,
     /// The images that must be opaque for the picture to be; `None` if it may be transparent even
     /// then.
@@ -223,6 +229,21 @@ pub(super) struct SpecializedGraph {
 }
 
 impl SpecializedGraph {
+    /// The value of an output beside the root.
+    pub(super) fn named(&self, name: &str) -> Option<ValueId> {
+        self.beside.iter().find(|output| output.name == name).map(|output| output.value)
+    }
+
+    /// The alpha below which a fragment is not drawn, if any can be.
+    pub(super) fn cutoff(&self) -> Option<ValueId> {
+        self.named("cutoff")
+    }
+
+    /// All values that the module shows: the root, and the outputs beside it.
+    pub(super) fn shown(&self) -> impl Iterator<Item = ValueId> {
+        std::iter::once(self.root).chain(self.beside.iter().map(|output| output.value))
+    }
+
     /// True if what the root shows has an alpha of 1, by its type or by its range.
     pub(super) fn is_opaque(&self) -> bool {
         let root = &self.values[self.root];
@@ -850,14 +871,21 @@ impl<'a> Builder<'a> {
         let opaque_with =
             if is_picture && cutoff.is_none() && !cutout { self.opaque_with(root) } else { None };
         let drivers = self.drivers();
-        let mut roots = vec![Some(root), cutoff.and(Some(color)), cutoff];
+        let id = self.extra_roots.get("id").copied().filter(|&id| !zero(&self.values[id]));
+        let id = id.filter(|_| is_own_root && stage.row().tells_parts);
+        let beside = [("color", cutoff.and(Some(color))), ("cutoff", cutoff), ("id", id)];
+        let beside: Vec<NamedOutput> = beside
+            .into_iter()
+            .filter_map(|(name, value)| Some(NamedOutput { name, value: value? }))
+            .collect();
+        let mut roots = vec![Some(root)];
+        roots.extend(beside.iter().map(|output| Some(output.value)));
         roots.extend(drivers.iter().map(|&driver| Some(driver)));
         self.explain_unused(&roots);
         let specialized = SpecializedGraph {
             values: self.values,
             root,
-            color: Some(color),
-            cutoff,
+            beside,
             images: self.images,
             opaque_with,
             drivers,

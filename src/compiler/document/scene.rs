@@ -55,6 +55,9 @@ described! {
         /// Straight RGBA behind the objects, in display colors; null for transparent.
         backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]),
             FieldKind::Backdrop, by Backdrop;
+        /// Lines over the picture, drawn after the looks; none while their width is 0.
+        outlines: SceneOutlines = SceneOutlines::default(),
+            FieldKind::Object(SceneOutlines::shape);
         /// Range of times.
         time: TimeRange = TimeRange::default(), FieldKind::Object(TimeRange::shape);
         unknown;
@@ -179,6 +182,50 @@ impl Camera {
     /// Factor by which the view is higher in a picture whose width is `aspect` times its height.
     pub fn widening(&self, aspect: f64) -> f64 {
         if self.aspect > 0.0 { (self.aspect / aspect.max(1e-6)).max(1.0) } else { 1.0 }
+    }
+}
+
+described! {
+    /// Lines over the picture, drawn after the looks, on objects and beside them alike. Each kind
+    /// has a share of the width; all lie evenly on both sides of their edges.
+    #[derive(Copy)]
+    #[serde(default)]
+    pub struct SceneOutlines("outlines", Line) {
+        /// Width of a whole line, in thousandths of the picture's height; 0 for no lines.
+        width: f64 = 0.0, FieldKind::Number(NumberBounds::new(0.0, SceneOutlines::MOST_WIDTH));
+        /// Straight RGBA in display colors.
+        color: [f64; 4] = [0.05, 0.05, 0.07, 1.0], FieldKind::Color { alpha: true };
+        /// Share where a form ends in front of something else.
+        silhouettes: f64 = 1.0, FieldKind::Number(SHARE);
+        /// Share where a surface folds by 30 degrees or more.
+        creases: f64 = 0.5, FieldKind::Number(SHARE);
+        /// Share where two objects meet.
+        borders: f64 = 1.0, FieldKind::Number(SHARE);
+        /// Share where two materials of an object meet.
+        material_borders: f64 = 0.5, FieldKind::Number(SHARE);
+        /// Share where the id of a look changes within a material.
+        id_borders: f64 = 0.5, FieldKind::Number(SHARE);
+    }
+}
+
+/// Share of a width.
+const SHARE: NumberBounds = NumberBounds::new(0.0, 1.0);
+
+impl SceneOutlines {
+    /// Greatest width, in thousandths of the picture's height.
+    pub const MOST_WIDTH: f64 = 30.0;
+
+    /// Widths of the lines of each kind in thousandths of the picture's height: silhouettes,
+    /// creases, borders of objects, of materials and of ids.
+    pub fn widths(&self) -> [f64; 5] {
+        let Self { silhouettes, creases, borders, material_borders, id_borders, .. } = *self;
+        [silhouettes, creases, borders, material_borders, id_borders]
+            .map(|share| share * self.width)
+    }
+
+    /// True if anything is drawn.
+    pub fn are_drawn(&self) -> bool {
+        self.color[3] > 0.0 && self.widths().iter().any(|width| *width > 0.0)
     }
 }
 

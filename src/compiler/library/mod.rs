@@ -62,7 +62,8 @@ pub use node::{
     NodeFunction, Output, PrepareFunction, Preset, Test, TierError, Treatment,
 };
 pub use passes::{
-    PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,
+    PassId, PassInput, PassOutput, PassRow, PassWork, ScreenExtent, Stage, StageRow, StageValue,
+    TexelFormat,
 };
 pub use read::load_node;
 pub use rules::{Fact, FactLimit, FormRule};

@@ -3,12 +3,13 @@
 //! With one sample a pixel a screen pass runs only where a pixel shows an object: it is drawn at
 //! the far plane, and has to lie behind what its surface's pass drew there. The result is the same,
 //! which is 0 elsewhere; but a GPU tests depth before it shades, and software Vulkan, which goes
-//! through all of a shader for every pixel of a block, shades fewer blocks.
+//! through all of a shader for every pixel of a block, shades fewer blocks. Passes of a larger
+//! extent run for all pixels near objects; those that are laid over the picture follow the looks.
 
 use std::collections::hash_map::Entry;
 
 use super::uniform;
-use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
+use crate::frame::{FramePlan, PassId, ScreenExtent, ScreenModule, ScreenResource};
 use crate::gpu::Gpu;
 use crate::target::{DEPTH, FAR_PLANE, format_of};
 use crate::{RenderError, Renderer};
@@ -41,12 +42,16 @@ impl ScreenPipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let targets: Vec<_> = pass
-            .row()
-            .writes
-            .iter()
-            .map(|output| Some(format_of(gpu, output.format).into()))
-            .collect();
+        let outputs = pass.row().writes.iter();
+        let targets: Vec<_> = if pass.is_over() {
+            vec![Some(wgpu::ColorTargetState {
+                format: gpu.picture,
+                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::ALL,
+            })]
+        } else {
+            outputs.map(|output| Some(format_of(gpu, output.format).into())).collect()
+        };
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label,
             layout: Some(&pipeline_layout),
@@ -75,6 +80,16 @@ impl ScreenPipeline {
             cache: None,
         });
         Ok(Self { pipeline, layout, module })
+    }
+}
+
+/// A color attachment that is drawn over.
+fn kept(view: &wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
     }
 }
 
@@ -114,8 +129,11 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
         // With several samples, pixels at an outline have values although they show no object.
-        let surface = pass.surface().filter(|_| plan.samples == 1);
+        let is_over = pass.is_over();
+        let is_of_surface = pass.extent() == Some(ScreenExtent::Surface);
+        let surface = pass.surface().filter(|_| plan.samples == 1 && is_of_surface);
         let depth = surface.and_then(|surface| self.targets.buffer(surface));
+        let picture = self.picture_view().filter(|_| is_over);
         let key = (pass, depth.is_some());
         let ScreenPipeline { pipeline, layout, module } = match self.screens.entry(key) {
             Entry::Occupied(made) => made.into_mut(),
@@ -124,7 +142,7 @@ impl Renderer {
         let device = &self.gpu.device;
         let uniforms = module.bindings.iter().filter_map(|binding| {
             let ScreenResource::Numbers(numbers) = &binding.holds else { return None };
-            let numbers = plan.view.numbers(numbers, plan.samples);
+            let numbers = plan.numbers(numbers);
             let numbers: Vec<f32> = numbers.into_iter().map(|number| number as f32).collect();
             Some((binding.binding, uniform(device, bytemuck::cast_slice(&numbers))))
         });
@@ -147,7 +165,10 @@ impl Renderer {
             entries: &entries,
         });
         let area = plan.screen_area();
-        let attachments = self.targets.attachments(pass);
+        let attachments = match &picture {
+            Some(picture) => vec![Some(kept(picture))],
+            None => self.targets.attachments(pass),
+        };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.label()),
             color_attachments: &attachments,

@@ -274,10 +274,7 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
             "inverse transpose of the model matrix's upper left 3x3, for normals"
         }
         (Feed::Object, "id") => "counts objects from 0",
-        (Feed::Object, "look") => {
-            "counts the looks of the object, divided by 64: parts with different looks have \
-             different ones, below 1"
-        }
+        (Feed::Object, "material") => "counts the materials of the object from 0",
         (Feed::LightLayer, "clip_from_world") => {
             "matrix from world space to the layer, for the API's own clip space; of a directional \
              light parallel along it, to the right and up as `map_axes` in the look's module says; \

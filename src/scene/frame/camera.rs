@@ -209,16 +209,14 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
 }
 
 /// The shader's `Object` uniform: of a part of the object `id`, with the alpha cutoff of its
-/// material and the number of its look.
+/// material and the material's number.
 pub(super) fn object_uniform(
     world_from_object: DMat4,
     id: f64,
     cutoff: f64,
-    look: usize,
+    material: usize,
 ) -> Uniform {
-    /// Looks of an object that lines tell apart; what an f32 has left beside 2^18 objects.
-    const LOOKS: usize = 64;
-    let look = (look % LOOKS) as f64 / LOOKS as f64;
+    let material = material as f64;
     let linear = DMat3::from_mat4(world_from_object);
     // A flattened object has no inverse; its normals are transformed as directions are.
     let normals =
@@ -233,8 +231,8 @@ pub(super) fn object_uniform(
         padded.extend(column);
         padded.push(0.0);
     }
-    numbers.extend([id, cutoff, look]);
-    padded.extend([id, cutoff, look, 0.0]);
+    numbers.extend([id, cutoff, material]);
+    padded.extend([id, cutoff, material, 0.0]);
     Uniform { bytes: padded.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect(), numbers }
 }
 

@@ -16,6 +16,9 @@ impl FramePlan {
     /// picture on one device.
     pub fn content(&self, sink: Sink<'_>) {
         sink(format!("{:?} {} {:?}", self.size, self.samples, self.backdrop).as_bytes());
+        if let Some(ink) = &self.ink {
+            sink(format!("{ink:?}").as_bytes());
+        }
         sink(&self.view.uniform_bytes());
         for pass in &self.passes {
             sink(pass.id.label().as_bytes());

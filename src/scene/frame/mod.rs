@@ -43,7 +43,7 @@ pub use crate::compile::{
     VertexAttribute,
 };
 /// The passes of a plan, which the compiler lists: a look's module names those that it reads.
-pub use crate::library::{PassId, PassOutput, PassRow, PassWork, TexelFormat};
+pub use crate::library::{PassId, PassOutput, PassRow, PassWork, ScreenExtent, TexelFormat};
 pub use assets::{
     Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
     image_bytes,
@@ -69,7 +69,7 @@ pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
 pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
-pub use screen::{PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
+pub use screen::{Ink, PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, LookSource, Setup, SetupLook, SetupObject, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,

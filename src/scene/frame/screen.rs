@@ -2,7 +2,9 @@
 //! binding.
 
 use super::camera::View;
+use super::plan::FramePlan;
 use crate::diag::Diagnostic;
+use crate::document::SceneOutlines;
 use crate::library::{PassId, PassInput, PassWork};
 use crate::wgsl::{self, ValidModule};
 
@@ -43,8 +45,34 @@ pub struct ViewNumber {
     pub name: &'static str,
     /// Description for hosts that run an exported pass.
     pub meaning: &'static str,
-    /// Value for images whose first row is at the top, before a picture of so many samples a pixel.
-    value: fn(&View, u32) -> f64,
+    /// Value for images whose first row is at the top.
+    value: fn(&ScreenState<'_>) -> f64,
+}
+
+/// State that the numbers of passes over the picture are made from.
+struct ScreenState<'a> {
+    view: &'a View,
+    /// Samples a pixel of the picture.
+    samples: u32,
+    ink: Ink,
+}
+
+/// Lines over the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ink {
+    /// Straight RGBA in display colors.
+    pub color: [f64; 4],
+    /// Widths in pixels: of silhouettes, creases, borders of objects, of materials and of ids.
+    pub widths: [f64; 5],
+}
+
+impl Ink {
+    /// The lines of a scene in a picture of so many rows; `None` where it draws none.
+    pub fn of(outlines: &SceneOutlines, height: u32) -> Option<Self> {
+        let pixels = 0.001 * f64::from(height);
+        let widths = outlines.widths().map(|width| width * pixels);
+        outlines.are_drawn().then_some(Self { color: outlines.color, widths })
+    }
 }
 
 /// All numbers of the view that passes over the picture may ask for.
@@ -53,27 +81,64 @@ const VIEW_NUMBERS: &[ViewNumber] = &[
         name: "pixel",
         meaning: "a pixel's size in scene units: at depth 1 for perspective, at every depth for \
                   parallel projection",
-        value: |view, _| view.pixel_size(),
+        value: |state| state.view.pixel_size(),
     },
     ViewNumber {
         name: "perspective",
         meaning: "1 for perspective, 0 for parallel projection",
-        value: |view, _| f64::from(u8::from(view.is_perspective)),
+        value: |state| f64::from(u8::from(state.view.is_perspective)),
     },
     ViewNumber {
         name: "viewport_height",
         meaning: "in pixels",
-        value: |view, _| f64::from(view.viewport[1]),
+        value: |state| f64::from(state.view.viewport[1]),
     },
     ViewNumber {
         name: "rows_up",
         meaning: "1 where the API's `first_row` is bottom, 0 where it is top",
-        value: |_, _| 0.0,
+        value: |_| 0.0,
     },
     ViewNumber {
         name: "samples",
         meaning: "samples a pixel of the picture",
-        value: |_, samples| f64::from(samples),
+        value: |state| f64::from(state.samples),
+    },
+    ViewNumber {
+        name: "ink_red",
+        meaning: "of the color of lines",
+        value: |state| state.ink.color[0],
+    },
+    ViewNumber {
+        name: "ink_green",
+        meaning: "of the color of lines",
+        value: |state| state.ink.color[1],
+    },
+    ViewNumber {
+        name: "ink_blue",
+        meaning: "of the color of lines",
+        value: |state| state.ink.color[2],
+    },
+    ViewNumber {
+        name: "ink_alpha",
+        meaning: "of the color of lines",
+        value: |state| state.ink.color[3],
+    },
+    ViewNumber {
+        name: "silhouette_width",
+        meaning: "in pixels",
+        value: |state| state.ink.widths[0],
+    },
+    ViewNumber { name: "crease_width", meaning: "in pixels", value: |state| state.ink.widths[1] },
+    ViewNumber { name: "border_width", meaning: "in pixels", value: |state| state.ink.widths[2] },
+    ViewNumber {
+        name: "material_border_width",
+        meaning: "in pixels",
+        value: |state| state.ink.widths[3],
+    },
+    ViewNumber {
+        name: "id_border_width",
+        meaning: "in pixels",
+        value: |state| state.ink.widths[4],
     },
 ];
 
@@ -84,11 +149,13 @@ impl ViewNumber {
     }
 }
 
-impl View {
+impl FramePlan {
     /// Values of numbers that a pass over the picture asks for, for images whose first row is at
-    /// the top, before a picture of `samples` samples a pixel.
-    pub fn numbers(&self, wanted: &[&ViewNumber], samples: u32) -> Vec<f64> {
-        wanted.iter().map(|number| (number.value)(self, samples)).collect()
+    /// the top.
+    pub fn numbers(&self, wanted: &[&ViewNumber]) -> Vec<f64> {
+        let ink = self.ink.unwrap_or_default();
+        let state = ScreenState { view: &self.view, samples: self.samples, ink };
+        wanted.iter().map(|number| (number.value)(&state)).collect()
     }
 }
 

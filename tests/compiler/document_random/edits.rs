@@ -216,7 +216,7 @@ proptest! {
         let start = history.document().to_text();
         for _ in 0..12 {
             let id = history.document().objects.keys().next().cloned().unwrap_or("none".into());
-            let edit = match random.below(12) {
+            let edit = match random.below(15) {
                 0 => SceneEdit::AddObject {
                     id: random.slug().into(), object: random.object(), index: Some(0)
                 },
@@ -241,6 +241,7 @@ proptest! {
                 }
                 11 => SceneEdit::RemoveLight { id: random.slug().into() },
                 12 => SceneEdit::SetSoloedLights { soloed: random.light_set() },
+                13 => SceneEdit::SetOutlines { outlines: random.outlines() },
                 _ => SceneEdit::Group {
                     edits: vec![
                         SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }

@@ -4,8 +4,8 @@ use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
     LayerLink, Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node,
-    NodeLinks, Note, Object, ObjectSet, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey,
-    TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
+    NodeLinks, Note, Object, ObjectSet, Projection, Ramp, RampStop, Scene, SceneOutlines, Target,
+    Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -553,6 +553,15 @@ impl Random {
         }
     }
 
+    pub(crate) fn outlines(&mut self) -> SceneOutlines {
+        SceneOutlines {
+            width: self.positive(20.0),
+            color: [0.1, 0.2, self.positive(1.0), 1.0],
+            creases: self.positive(1.0),
+            ..SceneOutlines::default()
+        }
+    }
+
     pub(crate) fn time(&mut self) -> TimeRange {
         let start = self.number(1e3);
         TimeRange { start, end: start + self.positive(1e3), fps: 0.5 + self.positive(100.0) }
@@ -573,6 +582,7 @@ impl Random {
             illumination: self.rotation(),
             camera: self.camera(),
             backdrop: self.chance(7).then(|| self.numbers(1.0)),
+            outlines: self.outlines(),
             time: self.time(),
             unknown: self.unknown(),
         };

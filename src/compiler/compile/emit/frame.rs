@@ -72,8 +72,8 @@ struct Object {
 }
 ";
 
-/// `Object` of a module that tells the looks of one object apart.
-const OBJECT_WITH_LOOK: &str = "\
+/// `Object` of a module that tells the materials of one object apart.
+const OBJECT_WITH_MATERIAL: &str = "\
 struct Object {
     world_from_object: mat4x4f,
     /// The inverse transpose, for normals.
@@ -81,8 +81,8 @@ struct Object {
     id: f32,
     /// The alpha cutoff of the material, 0 for none.
     cutoff: f32,
-    /// The number of the look as a share of 1, for the borders of looks.
-    look: f32,
+    /// The number of the material, from 0 on, for the borders of materials.
+    material: f32,
 }
 ";
 
@@ -129,6 +129,7 @@ impl Emitter<'_> {
             (self.normalize_seen(), true),
             ("normalize_or", stage.draws_normals() && !self.is_unit_root()),
             ("surface_texel", stage.draws_normals()),
+            ("facet_number", stage.row().tells_parts),
             ("straight", *root == Type::Composite),
             ("angle_radians", *root == Type::Angle),
             ("finite_vec4", !stage.draws_normals() && !self.is_finite_root()),
@@ -161,8 +162,8 @@ impl Emitter<'_> {
             let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
             self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
-            let tells_looks = self.options.stage.row().tells_looks;
-            self.out.push_str(if tells_looks { OBJECT_WITH_LOOK } else { OBJECT });
+            let tells_parts = self.options.stage.row().tells_parts;
+            self.out.push_str(if tells_parts { OBJECT_WITH_MATERIAL } else { OBJECT });
             self.out.push('\n');
         }
         if !self.host.members.is_empty() {
@@ -384,14 +385,12 @@ impl Emitter<'_> {
             ""
         };
         let root = &self.special.values[self.special.root].ty;
-        let is_read_once = self.special.cutoff.is_none() && *root != Type::Light;
+        let is_read_once = self.special.beside.is_empty() && *root != Type::Light;
         let call = format!("shade({arguments})");
         if !is_read_once {
             let _ = writeln!(self.out, "    let shaded = {call};");
         }
-        let value = if is_read_once {
-            call.as_str()
-        } else if self.special.cutoff.is_some() {
+        if self.special.cutoff().is_some() {
             let cutoff = if self.options.cutout {
                 "max(shaded.cutoff, object.cutoff)"
             } else {
@@ -399,9 +398,13 @@ impl Emitter<'_> {
             };
             let _ =
                 writeln!(self.out, "    if shaded.color.w < {cutoff} {{\n        discard;\n    }}");
-            "shaded.value"
-        } else {
+        }
+        let value = if is_read_once {
+            call.as_str()
+        } else if self.special.beside.is_empty() {
             "shaded"
+        } else {
+            "shaded.value"
         };
         let _ = if draws_normals {
             // Texels hold unit normals. A normal that an artist wires may have any length.
@@ -410,10 +413,10 @@ impl Emitter<'_> {
             } else {
                 "normalize_or(seen, vec3f(0.0, 0.0, 1.0))"
             };
-            let number = if stage.row().tells_looks {
-                "object.id + 1.0 + object.look"
-            } else {
-                "object.id + 1.0"
+            let number = match self.special.named("id") {
+                _ if !stage.row().tells_parts => "object.id + 1.0",
+                Some(_) => "facet_number(object.id, object.material, shaded.id)",
+                None => "facet_number(object.id, object.material, 0.0)",
             };
             let left_out = self.front().map_or_else(String::new, |front| {
                 let map = front.row().map;
@@ -435,7 +438,7 @@ impl Emitter<'_> {
             let pixel = if self.is_finite_root() { pixel } else { format!("finite_vec4({pixel})") };
             let pixel =
                 if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
-            if self.special.cutoff.is_some() && self.options.cutout {
+            if self.special.cutoff().is_some() && self.options.cutout {
                 // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
                 writeln!(
                     self.out,

@@ -273,10 +273,7 @@ impl<'a> Emitter<'a> {
     }
 
     fn roots(&self) -> Vec<ValueId> {
-        [Some(self.special.root), self.special.cutoff.and(self.special.color), self.special.cutoff]
-            .into_iter()
-            .flatten()
-            .collect()
+        self.special.shown().collect()
     }
 
     fn is_host(&self, id: ValueId) -> bool {

@@ -59,7 +59,7 @@ impl Emitter<'_> {
             lengths[call] = length;
         }
         let root = self.special.root;
-        let is_returned = reads[root] == 2 && self.special.cutoff.is_none();
+        let is_returned = reads[root] == 2 && self.special.beside.is_empty();
         if is_returned && lengths[root] > 0 && lengths[root] + "    return ;".len() <= LINE {
             self.nested[root] = self.can_stand_inside(root);
         }

@@ -17,9 +17,9 @@ use std::ops::Range;
 use super::loops::LoopBlock;
 use super::{Emitter, Span};
 use crate::compile::functions::{LINE, write_line};
-use crate::compile::specialize::{Operation, ValueId, operands};
+use crate::compile::specialize::{NamedOutput, Operation, ValueId, operands};
 use crate::ids::{LightId, NodePath};
-use crate::library::{Rate, Type};
+use crate::library::Rate;
 
 /// A function of at most this many blocks is left whole.
 const SHORT: usize = 60;
@@ -142,31 +142,25 @@ impl Emitter<'_> {
         let root = self.special.root;
         let root_type =
             self.type_name(&self.special.values[root].ty, self.special.values[root].node);
-        let with_cutoff = self.special.cutoff.is_some();
-        let result = if with_cutoff { "Shaded".to_owned() } else { root_type.clone() };
-        if with_cutoff {
-            let color_type = self
-                .special
-                .color
-                .map_or(Type::Color, |color| self.special.values[color].ty.clone());
-            let _ = writeln!(
-                body.text,
-                "struct Shaded {{\n    value: {root_type},\n    color: {},\n    cutoff: f32,\n}}\n",
-                color_type.wgsl()
-            );
+        let is_alone = self.special.beside.is_empty();
+        let result = if is_alone { root_type.clone() } else { "Shaded".to_owned() };
+        if !is_alone {
+            let _ = writeln!(body.text, "struct Shaded {{\n    value: {root_type},");
+            for NamedOutput { name, value } in &self.special.beside {
+                let ty = self.special.values[*value].ty.wgsl();
+                let _ = writeln!(body.text, "    {name}: {ty},");
+            }
+            body.text.push_str("}\n\n");
         }
         let _ = writeln!(body.text, "/// {comment}\nfn shade({parameters}) -> {result} {{");
         let inherited = self.write_blocks(blocks, body);
         let value = self.expression(root);
-        if let (Some(cutoff), Some(color)) = (self.special.cutoff, self.special.color) {
-            let _ = writeln!(
-                body.text,
-                "    return Shaded({value}, {}, {});",
-                self.expression(color),
-                self.expression(cutoff)
-            );
-        } else {
+        if is_alone {
             self.write_value(root, &format!("return {value};"), 1, body);
+        } else {
+            let beside = self.special.beside.iter().map(|output| self.expression(output.value));
+            let all: Vec<String> = std::iter::once(value).chain(beside).collect();
+            let _ = writeln!(body.text, "    return Shaded({});", all.join(", "));
         }
         body.text.push_str("}\n");
         self.value_names.extend(inherited);

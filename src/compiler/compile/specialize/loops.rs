@@ -133,8 +133,7 @@ impl SpecializedGraph {
 
     /// The values that the look's module shows, and those that drive keys.
     fn roots(&self) -> Vec<ValueId> {
-        let shown = [Some(self.root), self.cutoff.and(self.color), self.cutoff];
-        shown.into_iter().flatten().chain(self.drivers.iter().copied()).collect()
+        self.shown().chain(self.drivers.iter().copied()).collect()
     }
 
     /// Joining nodes gathered so that one loop may serve several.

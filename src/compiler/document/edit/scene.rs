@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::parts::{insert, remove_named};
 use super::{EditResult, Editable, all_or_none, missing, trial};
 use crate::document::{
-    Camera, DirectionKeys, GroupMaster, Light, LightSet, Object, Scene, Target, TimeKeys, TimeRange,
+    Camera, DirectionKeys, GroupMaster, Light, LightSet, Object, Scene, SceneOutlines, Target,
+    TimeKeys, TimeRange,
 };
 use crate::ids::{LightGroup, LightId, ObjectId};
 
@@ -50,6 +51,8 @@ pub enum SceneEdit {
     SetCamera { camera: Camera },
     /// Changes the backdrop; `None` for transparent.
     SetBackdrop { color: Option<[f64; 4]> },
+    /// Changes the lines over the picture.
+    SetOutlines { outlines: SceneOutlines },
     /// Changes the time range.
     SetTime { time: TimeRange },
 }
@@ -156,6 +159,9 @@ impl Editable for Scene {
             SceneEdit::SetBackdrop { color } => {
                 SceneEdit::SetBackdrop { color: replace(&mut self.backdrop, color) }
             }
+            SceneEdit::SetOutlines { outlines } => {
+                SceneEdit::SetOutlines { outlines: replace(&mut self.outlines, outlines) }
+            }
             SceneEdit::SetTime { time } => {
                 SceneEdit::SetTime { time: replace(&mut self.time, time) }
             }
@@ -183,6 +189,7 @@ impl Editable for Scene {
             SceneEdit::SetIllumination { .. } => "turn the lights".to_owned(),
             SceneEdit::SetCamera { .. } => "move the camera".to_owned(),
             SceneEdit::SetBackdrop { .. } => "change the backdrop".to_owned(),
+            SceneEdit::SetOutlines { .. } => "change the outlines".to_owned(),
             SceneEdit::SetTime { .. } => "change the time range".to_owned(),
         }
     }
@@ -202,6 +209,7 @@ impl Editable for Scene {
             | (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
             | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
             | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })
+            | (SceneEdit::SetOutlines { .. }, SceneEdit::SetOutlines { .. })
             | (SceneEdit::SetTime { .. }, SceneEdit::SetTime { .. }) => true,
             _ => false,
         }

@@ -124,6 +124,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
         }
         SceneEdit::SetMutedLights { muted } => trial.muted.clone_from(muted),
         SceneEdit::SetSoloedLights { soloed } => trial.soloed.clone_from(soloed),
+        SceneEdit::SetOutlines { outlines } => trial.outlines = *outlines,
         SceneEdit::SetTime { time } => trial.time = *time,
         _ => return Ok(()),
     }

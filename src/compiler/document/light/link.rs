@@ -132,6 +132,7 @@ fn words_of(fields: [&str; 2], texts: [&str; 2], rule: LinkRule) -> String {
     let ([field, out], [text, out_text]) = (fields, texts);
     match rule {
         LinkRule::Linked => format!("`{field}` (`{text}`) has it"),
+        LinkRule::NotLinked if text.trim().is_empty() => format!("`{field}` is empty"),
         LinkRule::NotLinked => format!("`{field}` (`{text}`) has it not"),
         LinkRule::Unlinked => format!("`{out}` (`{out_text}`) has it"),
     }

@@ -255,12 +255,13 @@ pub(super) const TABLE: &[Row] = &[
         "vec4f",
         ("line_nearness", "texel"),
         "how much nearer than the reach of lines the nearest silhouette, crease, border of objects \
-         and border of looks are, in pixels; 0 where none is near",
+         and border of materials are, in pixels; 0 where none is near, and negative in the last \
+         place for a border of ids",
     )
     .labeled("nearness of edges")
     .cheaper(None, Some("line_nearness_short"))
     .within(ContextBounds::Clamped(MAX_LINE_REACH))
-    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
+    .given(&[0.0; 4], (Some(-MAX_LINE_REACH), Some(MAX_LINE_REACH))),
     Row::of_pass(
         "line_nearness_short",
         "vec4f",
@@ -269,7 +270,7 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("nearness of edges")
     .within(ContextBounds::Clamped(MAX_LINE_REACH))
-    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
+    .given(&[0.0; 4], (Some(-MAX_LINE_REACH), Some(MAX_LINE_REACH))),
     Row::of_pass(
         "middle_surface",
         "vec2f",
@@ -288,7 +289,7 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("nearness of hidden edges")
     .within(ContextBounds::Clamped(MAX_LINE_REACH))
-    .given(&[0.0; 4], (Some(0.0), Some(MAX_LINE_REACH))),
+    .given(&[0.0; 4], (Some(-MAX_LINE_REACH), Some(MAX_LINE_REACH))),
     // A sample has no surroundings.
     Row::of_pass(
         "near_shares",

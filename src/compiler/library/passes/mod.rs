@@ -10,7 +10,10 @@ mod table;
 
 use std::fmt;
 
-pub use row::{PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat};
+pub use row::{
+    PassInput, PassOutput, PassRow, PassWork, ScreenExtent, Stage, StageRow, StageValue,
+    TexelFormat,
+};
 
 use super::context::is_same;
 use table::TABLE;
@@ -22,6 +25,9 @@ pub struct PassId(u8);
 impl PassId {
     /// Pass that draws the looks themselves: the picture.
     pub const LOOK: Self = Self::named("draw");
+
+    /// Pass that draws a scene's outlines over the picture.
+    pub const OUTLINES: Self = Self::named("outlines");
 
     /// Pass with a slug, looked up when Chiaro is compiled.
     ///
@@ -82,7 +88,20 @@ impl PassId {
         matches!(self.row().work, PassWork::Lights { .. })
     }
 
-    /// True if the pass draws into the picture.
+    /// Pixels at which a pass over the picture may result in more than 0; `None` for others.
+    pub fn extent(self) -> Option<ScreenExtent> {
+        match self.row().work {
+            PassWork::Screen { extent, .. } => Some(extent),
+            PassWork::Meshes(_) | PassWork::Lights { .. } => None,
+        }
+    }
+
+    /// True if the pass is laid over the picture when the looks are drawn.
+    pub fn is_over(self) -> bool {
+        self.extent() == Some(ScreenExtent::Picture)
+    }
+
+    /// True if the pass draws the picture.
     pub fn writes_picture(self) -> bool {
         self.row().writes_picture()
     }
@@ -150,7 +169,8 @@ mod tests {
             }
             let is_served = Context::all().any(|context| context.pass() == Some(pass));
             let is_read = PassId::all().any(|other| other.reads(pass));
-            assert!(is_served || is_read || pass == PassId::LOOK, "nobody reads {pass:?}");
+            let is_shown = pass == PassId::LOOK || pass.is_over();
+            assert!(is_served || is_read || is_shown, "nobody reads {pass:?}");
             assert_eq!(pass.surface().is_some(), pass.is_screen(), "{pass:?}");
             assert!(!pass.is_of_lights() || pass.own_reach() == 0, "{pass:?}");
             assert!(!is_served || !row.map.is_empty(), "{pass:?}: a look reads it by what name?");

@@ -12,7 +12,7 @@ pub enum Stage {
     Normals,
     /// Draws the look's detail normal, for the curvature pass.
     DetailNormals,
-    /// Draws the surface's own normal with the numbers of object and look, for lines.
+    /// Draws the surface's own normal with the numbers of object, material and id, for lines.
     Facets,
     /// Draws the same of what lies behind the first surface.
     HiddenFacets,
@@ -31,8 +31,8 @@ pub struct StageRow {
     pub value: StageValue,
     /// True if the module draws normals, from which later passes are made.
     pub draws_normals: bool,
-    /// True if what the module draws tells the looks of one object apart.
-    pub tells_looks: bool,
+    /// True if what the module draws tells the materials and ids of one object apart.
+    pub tells_parts: bool,
     /// Slug of the pass whose surfaces the module leaves out, to draw what lies behind them.
     pub behind: Option<&'static str>,
 }
@@ -56,7 +56,7 @@ impl Stage {
             shade: "The normal that the curvature pass sees.",
             value: StageValue::Context(Context::NORMAL),
             draws_normals: true,
-            tells_looks: false,
+            tells_parts: false,
             behind: None,
         };
         const LOOK: StageRow = StageRow {
@@ -64,7 +64,7 @@ impl Stage {
             shade: "The look at one point of the surface.",
             value: StageValue::Output,
             draws_normals: false,
-            tells_looks: false,
+            tells_parts: false,
             behind: None,
         };
         match self {
@@ -76,9 +76,9 @@ impl Stage {
             Self::Facets => {
                 &const {
                     StageRow {
-                        help: "Draws normals, depth, objects and looks, for the passes of lines.",
+                        help: "Draws normals, depth, objects, materials and ids, for lines.",
                         shade: "The normal that the passes of lines see.",
-                        tells_looks: true,
+                        tells_parts: true,
                         ..NORMALS
                     }
                 }
@@ -88,7 +88,7 @@ impl Stage {
                     StageRow {
                         help: "Draws what lies behind the first surface, for hidden lines.",
                         shade: "The normal that the passes of hidden lines see.",
-                        tells_looks: true,
+                        tells_parts: true,
                         behind: Some("facets"),
                         ..NORMALS
                     }
@@ -159,6 +159,8 @@ pub enum PassWork {
         constants: &'static [(&'static str, i32)],
         /// Distance around a pixel that is read, in steps of 1/800 of the picture's height.
         reach: u32,
+        /// Pixels at which it may result in more than 0.
+        extent: ScreenExtent,
     },
     /// Depth-tested drawing of every mesh that casts shadows, as each light sees them, with one
     /// module for all: a layer for each light that looks ask about.
@@ -166,6 +168,19 @@ pub enum PassWork {
         /// Name of the file in `shaders/passes`, without its ending.
         shader: &'static str,
     },
+}
+
+/// Pixels at which a pass over the picture may result in more than 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScreenExtent {
+    /// Pixels that show the surface that the pass is made from; with several samples a pixel, those
+    /// beside it, too.
+    Surface,
+    /// Pixels around it, too, as far as the pass reaches.
+    Around,
+    /// The same; the result is no image but laid over the picture when the looks are drawn,
+    /// premultiplied and in display colors.
+    Picture,
 }
 
 /// Texture that a pass reads.
@@ -264,6 +279,10 @@ impl PassRow {
             }
             // By the layer, whose size has nothing to do with the picture's.
             PassWork::Lights { .. } => (0, 0),
+            // It is written into the picture.
+            PassWork::Screen { extent: ScreenExtent::Picture, .. } => {
+                (0, self.bytes_read() + 2 * TexelFormat::Picture.bytes())
+            }
             // The look reads the written texture again.
             PassWork::Screen { .. } => (written, self.bytes_read() + 2 * written),
         }

@@ -2,12 +2,12 @@
 //!
 //! A new pass over the picture results in 0 where no object is near, and is not run there
 //! (`FramePlan::screen_area`). With one sample a pixel, it results in 0 at each pixel that shows no
-//! object, and the renderer leaves these out, too. It needs a row here and a file of
+//! object, and the renderer leaves these out, too, unless the row's extent is more. It needs a row here and a file of
 //! `shaders/passes`, whose textures are the row's `reads` by name and whose uniform has numbers of
 //! the view, by the names in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass
 //! through a row of the table of contexts.
 
-use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
+use super::row::{PassInput, PassOutput, PassRow, PassWork, ScreenExtent, Stage, TexelFormat};
 
 /// Outputs of every pass that draws normals: slope, depth and object of what a pixel shows, packed
 /// by `surface_texel` (`shaders/lib/slope.wgsl`); 0 where no object is.
@@ -19,6 +19,8 @@ const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat
 const EDGES: &[PassOutput] = &[PassOutput { name: "edges", format: TexelFormat::Numbers }];
 /// Shares of what stands near, packed by `packed_shares` (`shaders/lib/near_shares.wgsl`).
 const SHARES: &[PassOutput] = &[PassOutput { name: "shares", format: TexelFormat::Numbers }];
+/// Lines in display colors, premultiplied.
+const LINES: &[PassOutput] = &[PassOutput { name: "lines", format: TexelFormat::Numbers }];
 const NEARNESS: &[PassOutput] = &[PassOutput { name: "nearness", format: TexelFormat::Numbers }];
 /// Nearness to the light, number of the object, and how the nearness changes to the next texels
 /// (`light_texel` in `shaders/lib/light_view.wgsl`).
@@ -73,9 +75,16 @@ const SHARES_READ: &[PassInput] = &[
     PassInput { binding: "slices", pass: "near_slices", output: "shares" },
 ];
 
+/// Constants of the passes that look for edges of all surfaces, on both sides.
+const OF_ALL: &[(&str, i32)] = &[("STEPS", 16), ("OF_ALL", 1)];
+
+/// Steps of 1/800 of the picture's height that a scene's lines reach from their edges: half of the
+/// greatest width, and what rounding and antialiasing take.
+const OUTLINES_REACH: u32 = 14;
+
 /// Work of a pass that measures normals with a file whose constants are not set.
 const fn measured(shader: &'static str, reach: u32) -> PassWork {
-    PassWork::Screen { shader, constants: &[], reach }
+    PassWork::Screen { shader, constants: &[], reach, extent: ScreenExtent::Surface }
 }
 
 /// Row of a level of smoothed normals, each made from the level before it, twice as far around.
@@ -90,7 +99,12 @@ const fn smooth(
     PassRow {
         slug,
         label,
-        work: PassWork::Screen { shader: "smooth_normals", constants: level, reach },
+        work: PassWork::Screen {
+            shader: "smooth_normals",
+            constants: level,
+            reach,
+            extent: ScreenExtent::Surface,
+        },
         reads,
         writes: NORMAL,
         map,
@@ -100,12 +114,12 @@ const fn smooth(
     }
 }
 
-/// Row of the nearest edges in columns, as far as the steps that its file's constant gives.
+/// Row of the nearest edges in columns, as far as the steps that its file's first constant gives.
 const fn columns(
     slug: &'static str,
     label: &'static str,
     reads: &'static [PassInput],
-    steps: &'static [(&'static str, i32); 1],
+    steps: &'static [(&'static str, i32)],
 ) -> PassRow {
     PassRow {
         slug,
@@ -114,6 +128,7 @@ const fn columns(
             shader: "edge_columns",
             constants: steps,
             reach: steps[0].1 as u32,
+            extent: if steps.len() > 1 { ScreenExtent::Around } else { ScreenExtent::Surface },
         },
         reads,
         writes: EDGES,
@@ -128,7 +143,7 @@ const fn columns(
 const fn lines(
     (slug, label, map): (&'static str, &'static str, &'static str),
     reads: &'static [PassInput],
-    steps: &'static [(&'static str, i32); 1],
+    steps: &'static [(&'static str, i32)],
 ) -> PassRow {
     PassRow {
         slug,
@@ -137,6 +152,7 @@ const fn lines(
             shader: "line_nearness",
             constants: steps,
             reach: steps[0].1 as u32,
+            extent: if steps.len() > 1 { ScreenExtent::Around } else { ScreenExtent::Surface },
         },
         reads,
         writes: NEARNESS,
@@ -285,7 +301,7 @@ pub(super) const TABLE: &[PassRow] = &[
         map: "facet_map",
         purpose: "outlines",
         result: "",
-        help: "Draws normals, depth, objects and looks, for the passes of lines.",
+        help: "Draws normals, depth, objects, materials and ids, for lines.",
     },
     PassRow {
         slug: "edges",
@@ -324,8 +340,24 @@ pub(super) const TABLE: &[PassRow] = &[
         result: "hidden edges are",
         help: "Finds where surfaces behind the first end, fold and meet.",
     },
-    columns("hidden_columns", "hidden edge columns", HIDDEN_COLUMNS_READ, &[("STEPS", 16)]),
-    lines(("hidden_nearness", "hidden lines", "hidden_map"), HIDDEN_READ, &[("STEPS", 16)]),
+    columns("hidden_columns", "hidden edge columns", HIDDEN_COLUMNS_READ, OF_ALL),
+    lines(("hidden_nearness", "hidden lines", "hidden_map"), HIDDEN_READ, OF_ALL),
+    PassRow {
+        slug: "outlines",
+        label: "outlines",
+        work: PassWork::Screen {
+            shader: "outlines",
+            constants: &[],
+            reach: OUTLINES_REACH,
+            extent: ScreenExtent::Picture,
+        },
+        reads: COLUMNS_READ,
+        writes: LINES,
+        map: "",
+        purpose: "outlines of the scene",
+        result: "lines are",
+        help: "Draws a scene's lines over the picture.",
+    },
     PassRow {
         slug: "near_slices",
         label: "occlusion slices",

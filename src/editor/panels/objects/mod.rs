@@ -3,6 +3,7 @@
 mod details;
 mod layers;
 mod lights;
+mod outlines;
 mod parameters;
 mod words;
 
@@ -56,6 +57,7 @@ impl Objects {
             return out.into_iter().map(Command::Scene).collect();
         };
         words::show(ui, open_scene.scene(), &mut out);
+        outlines::show(ui, open_scene.scene(), &mut out);
         if open_scene.scene().objects.is_empty() {
             hint(ui, "The scene has no objects yet.");
         }

@@ -61,6 +61,8 @@ struct PartDraw<'a> {
     scene: &'a PlacedScene<'a>,
     visible: VisibleObject<'a>,
     part: &'a MeshPart,
+    /// Number of the part, which is that of its material.
+    material: usize,
     /// Distances of other objects, in scene units.
     near: &'a IndexMap<ObjectId, f64>,
     /// Casters of shadows, where a look reads them.
@@ -96,7 +98,9 @@ impl Planner {
         for &VisibleObject { number, object } in visible {
             let place = DrawPlace::new(scene, number);
             let parts = object.mesh.parts.iter().zip(&object.looks);
-            for (part, index) in parts.filter_map(|(part, look)| Some((part, (*look)?))) {
+            let worn_parts =
+                parts.enumerate().filter_map(|(at, (part, look))| Some((at, part, (*look)?)));
+            for (material, part, index) in worn_parts {
                 let Some(variant) = variants.get(&(number, index)) else { continue };
                 let Some(shaders) = self.shaders.get(&variant.key) else { continue };
                 let look = match worn.entry((index, variant.key)) {
@@ -118,11 +122,12 @@ impl Planner {
                     scene,
                     visible,
                     part,
+                    material,
                     near: &near,
                     casters,
                     scene_values: &scene_values,
                 };
-                match part.draw(look, index) {
+                match part.draw(look) {
                     Ok(draw) => draws.push((draw, place)),
                     Err(problem) => problems.push(problem),
                 }
@@ -253,9 +258,9 @@ impl<'a> WornLook<'a> {
 }
 
 impl PartDraw<'_> {
-    /// The draw of the part, which wears the look with this number.
-    fn draw(&self, look: &mut WornLook<'_>, index: usize) -> Result<Draw, Diagnostic> {
-        let Self { scene, visible: VisibleObject { number, object }, part, .. } = *self;
+    /// The draw of the part, which wears the look.
+    fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
+        let Self { scene, visible: VisibleObject { number, object }, part, material, .. } = *self;
         let unlinked = || unlinked_lights(scene.setup, object).into_keys().collect();
         let link = (&object.light_link, &unlinked as &dyn Fn() -> Vec<LightId>);
         let casters = self.casters.map(|casters| (casters, number));
@@ -273,7 +278,7 @@ impl PartDraw<'_> {
                 object.world_from_object,
                 number as f64,
                 f64::from(part.alpha_cutoff.unwrap_or(0.0)),
-                index,
+                material,
             ),
             look_uniforms: values.uniforms.clone(),
             decided: values.decided.clone(),

@@ -34,6 +34,7 @@ use super::cost::EffectCost;
 use super::coverage::PixelArea;
 use super::deferred::Deferral;
 use super::effects::EffectKind;
+use super::screen::Ink;
 use super::shadow_maps::ShadowMaps;
 use crate::compile::{CompiledShader, Proof, Uniform};
 use crate::geometry::Mesh;
@@ -154,6 +155,8 @@ pub struct FramePlan {
     pub samples: u32,
     /// Color behind everything, straight RGBA; `None` for transparent.
     pub backdrop: Option<[f64; 4]>,
+    /// Lines over the picture; `None` where the scene draws none.
+    pub ink: Option<Ink>,
     /// The camera.
     pub view: View,
     /// Pixels in which objects may be seen.
@@ -189,6 +192,7 @@ impl FramePlan {
             size,
             samples: 1,
             backdrop: None,
+            ink: None,
             view,
             covered: PixelArea::whole(size),
             casters: None,
@@ -210,7 +214,9 @@ impl FramePlan {
     pub fn screen_area(&self) -> PixelArea {
         // Pixels at an outline take the values of a neighbor, in each pass once more.
         let passes = self.passes.iter().filter(|pass| pass.id.is_screen()).count();
-        self.covered.widened(1 + passes as u32, self.size)
+        let over = self.passes.iter().filter(|pass| pass.id.is_over());
+        let reach = over.map(|pass| pass.id.own_reach() * self.view.step_pixels()).max();
+        self.covered.widened(1 + passes as u32 + reach.unwrap_or_default(), self.size)
     }
 
     /// The passes whose results the plan's passes read, and that the plan does not have.

@@ -13,6 +13,7 @@ use crate::frame::camera::View;
 use crate::frame::casters::Casters;
 use crate::frame::cost::{self, EffectCost};
 use crate::frame::effects::EffectKind;
+use crate::frame::screen::Ink;
 use crate::frame::shadow_maps::ShadowMaps;
 use crate::ids::ObjectId;
 use crate::library::{Context, PassId, Stage};
@@ -65,13 +66,17 @@ pub(super) struct SceneSeen<'a> {
     pub(super) view: &'a View,
     pub(super) casters: Option<&'a Casters>,
     pub(super) shadow_maps: Option<&'a ShadowMaps>,
+    pub(super) ink: Option<Ink>,
 }
 
 impl WantedPasses {
     /// The passes that `readers` read, and those that they are made from. Looks of different tiers
-    /// may want curvature in different ways, side by side.
-    pub(super) fn new(readers: &ContextReaders<'_>) -> Self {
+    /// may want curvature in different ways, side by side. `has_ink` if the scene draws lines.
+    pub(super) fn new(readers: &ContextReaders<'_>, has_ink: bool) -> Self {
         let mut wanted = BTreeMap::from([(PassId::LOOK, "it is the picture".to_owned())]);
+        if has_ink {
+            wanted.insert(PassId::OUTLINES, "the scene draws outlines".to_owned());
+        }
         // Passes are visited from the last to the first, so that the readers of a pass are known
         // before it.
         for pass in PassId::all().rev() {
@@ -140,6 +145,10 @@ impl WantedPasses {
             }
             if let Some(maps) = seen.shadow_maps.filter(|_| id.is_of_lights()) {
                 maps.hash().hash(&mut hasher);
+            }
+            if let Some(ink) = seen.ink.filter(|_| id.is_over()) {
+                let numbers = ink.color.iter().chain(&ink.widths);
+                numbers.for_each(|number| number.to_bits().hash(&mut hasher));
             }
             // The picture reads the results of all passes before it, whichever they are.
             let is_read = |before: &&Pass| id.writes_picture() || id.reads(before.id);

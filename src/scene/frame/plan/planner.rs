@@ -15,6 +15,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::assets::Assets;
 use crate::frame::keys::{Rig, SceneRig};
+use crate::frame::screen::Ink;
 use crate::frame::setup::Setup;
 use crate::frame::visibility::{CullMode, KnownBounds};
 use crate::ids::NodePath;
@@ -109,7 +110,8 @@ impl Planner {
         push_equal_looks(&mut dropped, setup, &variants);
         let shaders = &self.shaders;
         let readers = ContextReaders::new(&scene, &visible, &variants, shaders);
-        let wanted = WantedPasses::new(&readers);
+        let ink = Ink::of(&setup.scene.outlines, options.size[1]).filter(|_| !visible.is_empty());
+        let wanted = WantedPasses::new(&readers, ink.is_some());
         let stages = wanted.stages_before();
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);
@@ -124,6 +126,7 @@ impl Planner {
             view: &scene.view,
             casters: casters.as_deref(),
             shadow_maps: shadow_maps.as_ref(),
+            ink,
         };
         let mut passes = wanted.planned(&draws, &seen, options);
         let deferral = self.deferred.deferral(&scene, &visible, &passes, &draws);
@@ -132,6 +135,7 @@ impl Planner {
             size: options.size,
             samples: options.samples,
             backdrop: setup.scene.backdrop,
+            ink,
             view: scene.view,
             covered: scene.covered(&visible),
             casters,
