@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
-use super::render::{Size, parse_time};
+use super::render::{Size, parse_time, size_of};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Assets, PlanOptions, Planner, open};
@@ -40,9 +40,9 @@ pub(super) struct Arguments {
     /// A mesh or an own shape (shape:creature) in place of the document's
     #[arg(short, long)]
     mesh: Option<String>,
-    /// Width and height in pixels
-    #[arg(short, long, default_value = "800x800")]
-    size: Size,
+    /// Width and height of the picture in pixels [default: as `chiaro render` has it]
+    #[arg(short, long)]
+    size: Option<Size>,
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
@@ -73,7 +73,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let (setup, warnings) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
-    let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
+    let size = size_of(arguments.size.as_ref(), &setup.scene.camera);
+    let options = PlanOptions { size, samples: 1, time: arguments.time };
     let mut planner = Planner::for_probes(assets);
     let plan = planner.plan(&setup, &library, &Live::All, &options)?.value;
     let wires = probe_wires(&plan, arguments.at, &ReferenceOptions::default(), &Progress::new())

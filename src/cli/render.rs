@@ -160,8 +160,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             tier::set_every_tier(&mut worn.look, &mut library, exact);
         }
     }
-    let size =
-        arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
+    let size = size_of(arguments.size.as_ref(), &setup.scene.camera);
     adjust(&mut setup.scene, arguments).map_err(one)?;
     // Who asks for the reference by its name asks for the truth; else the reference stands in for a
     // GPU and draws what that would draw.
@@ -214,10 +213,14 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
-/// Default size of a picture: the shape that the camera was placed for. A camera without an aspect
-/// was usually placed for a picture that is wider than high, which a square would cut.
-fn usual_size(camera: &Camera) -> [u32; 2] {
+/// Size of a picture: the one that was asked for, or else of the shape that the camera was placed
+/// for. A camera without an aspect was usually placed for a picture wider than high, which a
+/// square would cut.
+pub(super) fn size_of(asked: Option<&Size>, camera: &Camera) -> [u32; 2] {
     const SIDE: f64 = 800.0;
+    if let Some(size) = asked {
+        return size.0;
+    }
     let unsaid = if *camera == Camera::default() { 1.0 } else { 1.5 };
     let aspect = if camera.aspect > 0.0 { camera.aspect.clamp(0.25, 4.0) } else { unsaid };
     [(SIDE * aspect).round() as u32, SIDE as u32]

@@ -120,10 +120,8 @@ fn the_matrix_tells_layers_filters_and_shadows() {
          \n\
          back does not reach hair: `unlinked` (`back`) has it\n\
          back does not reach wash of face: `unlayered` (`back`) has it\n\
-         key passes by tone/glass of face: `filtered` (`* - group:set`) has it not\n\
-         key passes by tone/glass of hair: `filtered` (`* - group:set`) has it not\n\
-         hair casts no shadow of key onto face: `no_shadows_on` (`face | hair`) has it\n\
-         hair casts no shadow of key onto itself: `no_shadows_on` (`face | hair`) has it\n\
+         key passes by tone/glass of face, hair: `filtered` (`* - group:set`) has it not\n\
+         hair casts no shadow of key onto face, itself: `no_shadows_on` (`face | hair`) has it\n\
          hair casts no shadow of back onto face: `unshadowed` (`back`) has it\n"
     );
     let told = lights(&scene, &["--matrix", "--json"]);
