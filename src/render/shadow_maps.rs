@@ -6,8 +6,12 @@ use std::num::NonZeroU64;
 use std::sync::Arc;
 
 use super::gpu::Gpu;
-use super::passes::uniform;
-use super::target::{DEPTH, FAR_PLANE, format_of};
+use super::passes::{
+    DepthTest, PipelineParts, UNFILTERED, depth_attachment, layout_of, targets_of, texels_type,
+    uniform, uniform_type,
+};
+use super::pipeline::vertex_attribute;
+use super::target::{DEPTH, format_of};
 use crate::compile::{Needs, VertexAttribute};
 use crate::frame::{FramePlan, LightModule, PassId, ShadowMaps};
 use crate::{RenderError, Renderer};
@@ -38,83 +42,27 @@ impl LightPipeline {
         let module = LightModule::of(pass)
             .map_err(|problems| refused(problems[0].message.clone()))?
             .ok_or_else(|| refused(format!("`{}` draws no lights", pass.label())))?;
-        let label = Some(pass.label());
-        let source = wgpu::ShaderSource::Wgsl(module.text.as_str().into());
-        let shader =
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
-        let buffer = |binding| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: true,
-                min_binding_size: None,
-            },
-            count: None,
+        let numbers = [(0, uniform_type(true)), (1, uniform_type(true))];
+        let layers = texels_type(UNFILTERED, wgpu::TextureViewDimension::D2Array);
+        let bindings = numbers.into_iter().chain(module.reads.map(|_| (2, layers)));
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        let layout = layout_of(&gpu.device, pass.label(), stages, bindings);
+        let attributes = [vertex_attribute(VertexAttribute::Position)];
+        let buffer = wgpu::VertexBufferLayout {
+            array_stride: attributes[0].format.size(),
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &attributes,
         };
-        let mut entries = vec![buffer(0), buffer(1)];
-        if module.reads.is_some() {
-            entries.push(wgpu::BindGroupLayoutEntry {
-                binding: 2,
-                visibility: wgpu::ShaderStages::FRAGMENT,
-                ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2Array,
-                    multisampled: false,
-                },
-                count: None,
-            });
-        }
-        let descriptor = wgpu::BindGroupLayoutDescriptor { label, entries: &entries };
-        let layout = gpu.device.create_bind_group_layout(&descriptor);
-        let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label,
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let targets: Vec<_> = pass
-            .row()
-            .writes
-            .iter()
-            .map(|output| Some(format_of(gpu, output.format).into()))
-            .collect();
-        let position = VertexAttribute::Position;
-        let attributes = [wgpu::VertexAttribute {
-            format: wgpu::VertexFormat::Float32x3,
-            offset: 0,
-            shader_location: position.location(),
-        }];
-        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label,
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &shader,
-                entry_point: Some("vs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[Some(wgpu::VertexBufferLayout {
-                    array_stride: 12,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &attributes,
-                })],
-            },
+        let parts = PipelineParts {
+            label: pass.label(),
+            text: &module.text,
+            layouts: &[Some(&layout)],
+            buffers: &[Some(buffer)],
             primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Less),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &shader,
-                entry_point: Some("fs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &targets,
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+            depth: Some(DepthTest::Nearest),
+            targets: &targets_of(gpu, pass),
+        };
+        let pipeline = parts.pipeline(&gpu.device);
         Ok(Self { pipeline, layout, reads: module.reads })
     }
 }
@@ -238,17 +186,17 @@ impl Renderer {
         else {
             return Ok(false);
         };
-        let group = light_group(&self.gpu, maps, light, textures);
         let drawn = drawn.entry(pass).or_default();
         drawn.resize(maps.layers.len(), 0);
-        let attributes = [VertexAttribute::Position];
-        for caster in &maps.casters {
-            self.meshes.prepare(&self.gpu, &caster.mesh, &attributes);
-        }
         let layers = maps.layers.iter().enumerate();
         let moved: Vec<_> = layers.filter(|(number, layer)| drawn[*number] != layer.hash).collect();
         if moved.is_empty() {
             return Ok(false);
+        }
+        let group = light_group(&self.gpu, maps, light, textures);
+        let attributes = [VertexAttribute::Position];
+        for caster in &maps.casters {
+            self.meshes.prepare(&self.gpu, &caster.mesh, &attributes);
         }
         // One time for all layers: from the first one's begin to the last one's end.
         let stamps = Self::stamps(&mut self.timer);
@@ -267,14 +215,7 @@ impl Renderer {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some(pass.label()),
                 color_attachments: &[Some(super::passes::cleared(&view, wgpu::Color::TRANSPARENT))],
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: depth,
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(FAR_PLANE),
-                        store: wgpu::StoreOp::Discard,
-                    }),
-                    stencil_ops: None,
-                }),
+                depth_stencil_attachment: Some(depth_attachment(depth, wgpu::StoreOp::Discard)),
                 timestamp_writes: own.filter(|own| {
                     own.beginning_of_pass_write_index.or(own.end_of_pass_write_index).is_some()
                 }),

@@ -7,11 +7,17 @@ use crate::compile::{CompiledShader, VertexAttribute};
 use crate::error::RenderError;
 use crate::frame::{DeferredModule, PassId, stack_of};
 use crate::gpu::Gpu;
+use crate::passes::{
+    DepthTest, PipelineParts, UNFILTERED, layout_of, targets_of, texels_type, uniform_type,
+};
 use crate::pipeline::{SMALL_STACK, Sides, binding_type, blended, vertex_attribute, with_stack};
-use crate::target::{DEPTH, TRIANGLES, format_of};
+use crate::target::TRIANGLES;
 
 /// Number of pipelines that are kept; when there are more, all are made anew.
 const MOST: usize = 128;
+
+/// Name of the pipelines on the device.
+const LABEL: &str = "deferred";
 
 /// A pipeline with its layouts.
 #[derive(Clone, Debug)]
@@ -107,18 +113,9 @@ impl DeferredPipelines {
 
 /// Layout of the bindings of a look's own module.
 fn look_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::BindGroupLayout {
-    let entries: Vec<_> = shader
-        .bindings
-        .iter()
-        .map(|binding| wgpu::BindGroupLayoutEntry {
-            binding: binding.binding,
-            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-            ty: fixed(binding_type(&binding.kind)),
-            count: None,
-        })
-        .collect();
-    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("look"), entries: &entries };
-    device.create_bind_group_layout(&descriptor)
+    let bindings = shader.bindings.iter();
+    let types = bindings.map(|binding| (binding.binding, fixed(binding_type(&binding.kind))));
+    layout_of(device, "look", wgpu::ShaderStages::VERTEX_FRAGMENT, types)
 }
 
 /// A binding whose place in a buffer does not change from draw to draw.
@@ -133,98 +130,23 @@ fn fixed(ty: wgpu::BindingType) -> wgpu::BindingType {
 
 /// Layout of the picture's triangles, a draw's numbers, the mesh's corners and its attributes.
 fn mesh_layout(device: &wgpu::Device, attributes: &[VertexAttribute]) -> wgpu::BindGroupLayout {
-    let texture = |sample_type| wgpu::BindingType::Texture {
-        sample_type,
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let uniform = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Uniform,
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
+    let texture = |sample_type| texels_type(sample_type, wgpu::TextureViewDimension::D2);
     let whole = wgpu::TextureSampleType::Uint;
-    let float = wgpu::TextureSampleType::Float { filterable: false };
-    let types = [texture(whole), uniform, texture(whole)].into_iter();
-    let entries: Vec<_> = (0..)
-        .zip(types.chain(attributes.iter().map(|_| texture(float))))
-        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty,
-            count: None,
-        })
-        .collect();
-    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("mesh"), entries: &entries };
-    device.create_bind_group_layout(&descriptor)
-}
-
-/// Parts of a pipeline that differ.
-struct PipelineParts<'a> {
-    text: &'a str,
-    layouts: &'a [Option<&'a wgpu::BindGroupLayout>],
-    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
-    primitive: wgpu::PrimitiveState,
-    /// True if depths are written, and compared to be less; otherwise they are compared to be
-    /// greater.
-    writes_depth: bool,
-    targets: &'a [Option<wgpu::ColorTargetState>],
-}
-
-impl PipelineParts<'_> {
-    fn pipeline(&self, device: &wgpu::Device) -> wgpu::RenderPipeline {
-        let label = Some("deferred");
-        let source = wgpu::ShaderSource::Wgsl(self.text.into());
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label,
-            bind_group_layouts: self.layouts,
-            immediate_size: 0,
-        });
-        let compare = if self.writes_depth {
-            wgpu::CompareFunction::Less
-        } else {
-            wgpu::CompareFunction::Greater
-        };
-        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label,
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: self.buffers,
-            },
-            primitive: self.primitive,
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH,
-                depth_write_enabled: Some(self.writes_depth),
-                depth_compare: Some(compare),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: self.targets,
-            }),
-            multiview_mask: None,
-            cache: None,
-        })
-    }
+    let types = [texture(whole), uniform_type(false), texture(whole)].into_iter();
+    let bindings = (0..).zip(types.chain(attributes.iter().map(|_| texture(UNFILTERED))));
+    layout_of(device, "mesh", wgpu::ShaderStages::FRAGMENT, bindings)
 }
 
 fn look_pipeline(gpu: &Gpu, shader: &CompiledShader, module: &DeferredModule) -> DeferredPipeline {
     let look = look_layout(&gpu.device, shader);
     let mesh = mesh_layout(&gpu.device, &module.attributes);
     let parts = PipelineParts {
+        label: LABEL,
         text: &module.text,
         layouts: &[Some(&look), Some(&mesh)],
         buffers: &[],
         primitive: wgpu::PrimitiveState::default(),
-        writes_depth: false,
+        depth: Some(DepthTest::Behind),
         targets: &[blended(gpu.picture)],
     };
     DeferredPipeline { pipeline: parts.pipeline(&gpu.device), look, mesh: Some(mesh) }
@@ -253,14 +175,15 @@ fn surface_pipeline(
             })
         })
         .collect();
-    let written = pass.row().writes.iter().map(|output| format_of(gpu, output.format));
-    let targets: Vec<_> = written.chain([TRIANGLES]).map(|format| Some(format.into())).collect();
+    let mut targets = targets_of(gpu, pass);
+    targets.push(Some(TRIANGLES.into()));
     let parts = PipelineParts {
+        label: LABEL,
         text,
         layouts: &[Some(&look)],
         buffers: &buffers,
         primitive: sides.primitive(),
-        writes_depth: true,
+        depth: Some(DepthTest::Nearest),
         targets: &targets,
     };
     DeferredPipeline { pipeline: parts.pipeline(&gpu.device), look, mesh: None }

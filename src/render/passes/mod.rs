@@ -6,9 +6,13 @@ use wgpu::util::DeviceExt as _;
 mod lists;
 mod look;
 mod meshes;
+mod parts;
 mod screen;
 
 pub(crate) use look::{background, cleared, depth_attachment};
+pub(crate) use parts::{
+    DepthTest, PipelineParts, UNFILTERED, layout_of, targets_of, texels_type, uniform_type,
+};
 pub(crate) use screen::{ScreenPipeline, tested_depth};
 
 /// A uniform buffer with these contents.

@@ -8,10 +8,12 @@
 
 use std::collections::hash_map::Entry;
 
-use super::uniform;
+use super::{
+    DepthTest, PipelineParts, UNFILTERED, layout_of, targets_of, texels_type, uniform, uniform_type,
+};
 use crate::frame::{FramePlan, PassId, ScreenExtent, ScreenModule, ScreenResource};
 use crate::gpu::Gpu;
-use crate::target::{DEPTH, FAR_PLANE, format_of};
+use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
 /// The fixed pipeline of a screen pass.
@@ -32,53 +34,17 @@ impl ScreenPipeline {
         let module = ScreenModule::of(pass)
             .map_err(|problems| refused(problems[0].message.clone()))?
             .ok_or_else(|| refused(format!("`{}` draws meshes", pass.label())))?;
-        let label = Some(pass.label());
-        let source = wgpu::ShaderSource::Wgsl(module.text.as_str().into());
-        let shader =
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
-        let layout = layout(&gpu.device, &module);
-        let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label,
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let outputs = pass.row().writes.iter();
-        let targets: Vec<_> = if pass.is_over() {
-            vec![Some(wgpu::ColorTargetState {
-                format: gpu.picture,
-                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                write_mask: wgpu::ColorWrites::ALL,
-            })]
-        } else {
-            outputs.map(|output| Some(format_of(gpu, output.format).into())).collect()
-        };
-        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label,
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &shader,
-                entry_point: Some("vs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
+        let layout = layout(gpu, pass, &module);
+        let parts = PipelineParts {
+            label: pass.label(),
+            text: &module.text,
+            layouts: &[Some(&layout)],
+            buffers: &[],
             primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: tests_depth.then(|| wgpu::DepthStencilState {
-                format: DEPTH,
-                depth_write_enabled: Some(false),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &shader,
-                entry_point: Some("fs_main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &targets,
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+            depth: tests_depth.then_some(DepthTest::Behind),
+            targets: &targets_of(gpu, pass),
+        };
+        let pipeline = parts.pipeline(&gpu.device);
         Ok(Self { pipeline, layout, module })
     }
 }
@@ -98,27 +64,13 @@ pub(crate) fn tested_depth(view: &wgpu::TextureView) -> wgpu::RenderPassDepthSte
     wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None }
 }
 
-fn layout(device: &wgpu::Device, module: &ScreenModule) -> wgpu::BindGroupLayout {
-    let entry = |binding: &crate::frame::ScreenBinding| wgpu::BindGroupLayoutEntry {
-        binding: binding.binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: match &binding.holds {
-            ScreenResource::Image(_) => wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
-            },
-            ScreenResource::Numbers(_) => wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-        },
-        count: None,
-    };
-    let entries: Vec<_> = module.bindings.iter().map(entry).collect();
-    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("screen"), entries: &entries };
-    device.create_bind_group_layout(&descriptor)
+fn layout(gpu: &Gpu, pass: PassId, module: &ScreenModule) -> wgpu::BindGroupLayout {
+    let image = || texels_type(UNFILTERED, wgpu::TextureViewDimension::D2);
+    let types = module.bindings.iter().map(|binding| match &binding.holds {
+        ScreenResource::Image(_) => (binding.binding, image()),
+        ScreenResource::Numbers(_) => (binding.binding, uniform_type(false)),
+    });
+    layout_of(&gpu.device, pass.label(), wgpu::ShaderStages::FRAGMENT, types)
 }
 
 impl Renderer {
