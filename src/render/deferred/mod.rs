@@ -12,9 +12,8 @@ pub(crate) use pipeline::DeferredPipelines;
 
 use std::sync::Arc;
 
-use crate::casters::CastersTexture;
 use crate::compile::{BindingKind, CompiledShader};
-use crate::frame::{Deferral, DeferredDraw, Draw, FramePlan, PassId, PassImage};
+use crate::frame::{Deferral, DeferredDraw, Draw, FramePlan, PassId};
 use crate::passes::{background, cleared, depth_attachment, tested_depth, uniform};
 use crate::pipeline::Sides;
 use crate::target::FAR_PLANE;
@@ -173,37 +172,11 @@ impl Renderer {
         let object = uniform(device, &draw.object_uniform.bytes);
         let look = draw.look_uniforms.get(&shader.stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| uniform(device, bytes));
-        let images =
-            self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
-        let seen = self.lights.views(&shader.needs);
-        let mut entries = Vec::new();
-        for binding in &shader.bindings {
-            let resource = match &binding.kind {
-                BindingKind::View => Some(view.as_entire_binding()),
-                BindingKind::Object => Some(object.as_entire_binding()),
-                BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
-                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    images.get(*index).map(|image| image.texture())
-                }
-                BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
-                BindingKind::Pass(pass) => {
-                    let image = PassImage { pass: *pass, output: 0 };
-                    let seen = seen.iter().find(|(known, _)| known == pass).map(|(_, view)| view);
-                    seen.or(self.targets.image(image)).map(wgpu::BindingResource::TextureView)
-                }
-                BindingKind::Casters => self.casters.as_ref().map(CastersTexture::resource),
-                BindingKind::Samples => None,
-            };
-            let missing = || RenderError::Refused {
-                message: format!("nothing to bind to `{}`", binding.name),
-            };
-            let resource = resource.ok_or_else(missing)?;
-            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });
-        }
-        Ok(device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("look"),
-            layout: &pipeline.look,
-            entries: &entries,
-        }))
+        self.look_group((shader, draw), &pipeline.look, |kind| match kind {
+            BindingKind::View => Some(view.as_entire_binding()),
+            BindingKind::Object => Some(object.as_entire_binding()),
+            BindingKind::Look => look.as_ref().map(wgpu::Buffer::as_entire_binding),
+            _ => None,
+        })
     }
 }

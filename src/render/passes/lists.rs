@@ -10,9 +10,8 @@ use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use super::uniform;
-use crate::casters::CastersTexture;
 use crate::compile::{BindingKind, CompiledShader, Stage, Uniform};
-use crate::frame::{Draw, FramePlan, PassImage};
+use crate::frame::{Draw, FramePlan};
 use crate::mesh::Meshes;
 use crate::pipeline::{DepthUse, LookPipeline, Sides};
 use crate::{RenderError, Renderer};
@@ -139,40 +138,14 @@ impl Renderer {
         (buffer, view_size): (&wgpu::Buffer, usize),
         layout: &wgpu::BindGroupLayout,
     ) -> Result<wgpu::BindGroup, RenderError> {
-        let images =
-            self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
         let look_size =
             draw.look_uniforms.get(&shader.stage).map_or(0, |uniform| uniform.bytes.len());
-        let seen = self.lights.views(&shader.needs);
-        let mut entries = Vec::new();
-        for binding in &shader.bindings {
-            let resource = match &binding.kind {
-                BindingKind::View => part(buffer, view_size),
-                BindingKind::Object => part(buffer, draw.object_uniform.bytes.len()),
-                BindingKind::Look => part(buffer, look_size),
-                BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    images.get(*index).map(|image| image.texture())
-                }
-                BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
-                BindingKind::Pass(pass) => {
-                    let image = PassImage { pass: *pass, output: 0 };
-                    let seen = seen.iter().find(|(known, _)| known == pass).map(|(_, view)| view);
-                    seen.or(self.targets.image(image)).map(wgpu::BindingResource::TextureView)
-                }
-                BindingKind::Casters => self.casters.as_ref().map(CastersTexture::resource),
-                BindingKind::Samples => None,
-            };
-            let missing = || RenderError::Refused {
-                message: format!("nothing to bind to `{}`", binding.name),
-            };
-            entries.push(wgpu::BindGroupEntry {
-                binding: binding.binding,
-                resource: resource.ok_or_else(missing)?,
-            });
-        }
-        let descriptor =
-            wgpu::BindGroupDescriptor { label: Some("look"), layout, entries: &entries };
-        Ok(self.gpu.device.create_bind_group(&descriptor))
+        self.look_group((shader, draw), layout, |kind| match kind {
+            BindingKind::View => part(buffer, view_size),
+            BindingKind::Object => part(buffer, draw.object_uniform.bytes.len()),
+            BindingKind::Look => part(buffer, look_size),
+            _ => None,
+        })
     }
 }
 

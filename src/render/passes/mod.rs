@@ -7,6 +7,7 @@ mod lists;
 mod look;
 mod meshes;
 mod parts;
+mod resources;
 mod screen;
 
 pub(crate) use look::{background, cleared, depth_attachment};
