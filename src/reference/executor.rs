@@ -47,17 +47,14 @@ pub trait ShaderFactory {
     /// see, in the order of the layer's casters.
     ///
     /// # Errors
-    /// As [`screen`](Self::screen), and of factories that draw no such pass.
+    /// As [`screen`](Self::screen).
     fn layer<'a>(
         &'a self,
-        _maps: &'a ShadowMaps,
+        maps: &'a ShadowMaps,
         pass: PassId,
-        _layer: usize,
-        _images: &'a PassImages,
-    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic> {
-        let message = format!("nothing draws the pass `{}`", pass.label());
-        Err(Diagnostic::error("reference-plan", message))
-    }
+        layer: usize,
+        images: &'a PassImages,
+    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic>;
 }
 
 /// Images of the passes so far, for later ones to read, rounded as [`ReferenceOptions::images`]

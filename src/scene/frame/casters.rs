@@ -175,15 +175,9 @@ impl Casters {
 
 /// The box around an object in world space, a little larger.
 fn box_of(world_from_object: DMat4, bounds: &Bounds) -> [DVec3; 2] {
-    let sides = [bounds.min, bounds.max];
-    let corners = (0..8_usize).map(|index| {
-        let side = |axis: usize| sides[index >> axis & 1][axis];
-        world_from_object.transform_point3(DVec3::new(side(0), side(1), side(2)))
-    });
-    let [least, most] = corners
-        .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[least, most], at| {
-            [least.min(at), most.max(at)]
-        });
+    let corners = bounds.corners().map(|corner| world_from_object.transform_point3(corner));
+    let least = corners.into_iter().fold(DVec3::INFINITY, DVec3::min);
+    let most = corners.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max);
     let far = least.abs().max(most.abs()).max_element() + (most - least).max_element();
     [least - AROUND * far, most + AROUND * far]
 }

@@ -107,11 +107,7 @@ fn is_in_front(corner: DVec4) -> bool {
 /// Corners of a box in clip space.
 pub(super) fn clip_corners(world_from_object: DMat4, bounds: &Bounds, view: &View) -> [DVec4; 8] {
     let clip_from_object = view.clip_from_world * world_from_object;
-    std::array::from_fn(|index| {
-        let pick =
-            |axis: usize| if index >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        clip_from_object * DVec4::new(pick(0), pick(1), pick(2), 1.0)
-    })
+    bounds.corners().map(|corner| clip_from_object * corner.extend(1.0))
 }
 
 #[cfg(test)]

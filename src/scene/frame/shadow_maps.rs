@@ -160,13 +160,9 @@ impl MapScene<'_> {
         let plane = normal.dot(matrix.transform_point3(bounds.center()));
         casters.iter().filter(|other| **other != number).all(|other| {
             let matrix = self.objects[*other].world_from_object;
-            let bounds = &self.placed[*other].bounds;
-            let height = |corner: usize| {
-                let side = |axis: usize| [bounds.min, bounds.max][corner >> axis & 1][axis];
-                let corner = DVec3::new(side(0), side(1), side(2));
-                normal.dot(matrix.transform_point3(corner)) - plane
-            };
-            (0..8).map(height).fold(f64::INFINITY, f64::min) >= -SUNK * self.placed[*other].radius
+            let height = |corner| normal.dot(matrix.transform_point3(corner)) - plane;
+            let ObjectPlacement { bounds, radius, .. } = &self.placed[*other];
+            bounds.corners().map(height).into_iter().fold(f64::INFINITY, f64::min) >= -SUNK * radius
         })
     }
 }

@@ -114,6 +114,15 @@ impl Bounds {
         (self.min + self.max) / 2.0
     }
 
+    /// The corners of the box.
+    pub fn corners(&self) -> [DVec3; 8] {
+        let sides = [self.min, self.max];
+        std::array::from_fn(|index| {
+            let side = |axis: usize| sides[index >> axis & 1][axis];
+            DVec3::new(side(0), side(1), side(2))
+        })
+    }
+
     /// The lengths of the box's edges along x, y and z.
     pub fn size(&self) -> DVec3 {
         self.max - self.min

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
-use chiaro::frame::{Assets, Draw, FramePlan, PassId, PlanOptions, Planner, open};
+use chiaro::frame::{Assets, Draw, FramePlan, PassId, PlanOptions, Planner, ShadowMaps, open};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -76,6 +76,17 @@ impl ShaderFactory for RecordingFactory {
             Some(vec![if is_inside { surface.pixel(x, y)[2..].iter().sum::<f64>() } else { 0.0 }])
         };
         Ok(Box::new(Plain::new(Vec::new(), fragment)))
+    }
+
+    fn layer<'a>(
+        &'a self,
+        _: &'a ShadowMaps,
+        _: PassId,
+        _: usize,
+        _: &'a PassImages,
+    ) -> Result<Vec<Box<dyn Shader + 'a>>, Diagnostic> {
+        self.note("lights");
+        Ok(Vec::new())
     }
 }
 
