@@ -19,7 +19,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use chiaro::compile::{CompileOptions, CompiledShader, Live, Loops, compile};
-use chiaro::document::{LightField, Scene};
+use chiaro::document::{LightField, LightInput, Scene};
 use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup, SetupLook};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer};
@@ -107,7 +107,8 @@ fn setup(look: SetupLook) -> Setup {
 /// A module, with the milliseconds that it took.
 fn compiled(look: &SetupLook, loops: Loops, dark: usize) -> (CompiledShader, f64) {
     let lights = look.look.lights.keys().rev().take(dark);
-    let dark: BTreeSet<_> = lights.map(|id| (id.clone(), LightField::Intensity)).collect();
+    let intensity = LightInput::Field(LightField::Intensity);
+    let dark: BTreeSet<_> = lights.map(|id| (id.clone(), intensity)).collect();
     let options = CompileOptions { display: true, loops, dark, ..CompileOptions::default() };
     let mut shader = None;
     let time = milliseconds(|| {

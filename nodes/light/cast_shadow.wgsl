@@ -51,6 +51,9 @@ fn cast_shadow_balanced(
     shadow_map: ShadowMaps,
     shadow_map_behind: ShadowMaps,
 ) -> f32 {
+    if map.w < 0.0 {
+        return 0.0;
+    }
     let surface = mapped_surface(shadow_map, map, source, position, across, down, object);
     return shadow_of_edges(shadow_map, shadow_map_behind, surface, false);
 }
@@ -65,6 +68,9 @@ fn cast_shadow_fast(
     shadow_map: ShadowMaps,
     shadow_map_behind: ShadowMaps,
 ) -> f32 {
+    if map.w < 0.0 {
+        return 0.0;
+    }
     let surface = mapped_surface(shadow_map, map, source, position, across, down, object);
     return shadow_of_texel(shadow_map, shadow_map_behind, surface, false);
 }

@@ -49,6 +49,9 @@ fn shadow_blocker_balanced(
     shadow_map: ShadowMaps,
     shadow_map_behind: ShadowMaps,
 ) -> ShadowBlocker {
+    if map.w < 0.0 {
+        return ShadowBlocker(0.0, -1.0);
+    }
     let surface = mapped_surface(shadow_map, map, source, position, across, down, object);
     let found = blocker_in_map(shadow_map, shadow_map_behind, surface, source, position);
     return ShadowBlocker(found.x, found.y);

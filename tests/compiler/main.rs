@@ -5,6 +5,7 @@ use chiaro_test_support as support;
 mod automatic;
 mod cases;
 mod compile;
+mod dark_lights;
 mod document_format;
 mod document_hcbtf;
 mod document_history;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::wait::block_on;
-use chiaro::compile::Live;
+use chiaro::compile::{Live, Proof};
 use chiaro::document::{LightSet, Object, Scene, ShadowLink};
 use chiaro::frame::{
     Assets, EffectKind, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, effects,
@@ -20,7 +20,13 @@ use serde_json::{Value as Json, json};
 
 /// A look of which a share is the light's shadow.
 fn shaded(share: f64) -> SetupLook {
-    look(&json!({"name": "Shaded", "lights": {"key": {"direction": [0.5, 1, 0.5]}},
+    shaded_by(share, 1.0, &json!([]))
+}
+
+/// The same, by a light of an intensity that is exposed or not.
+fn shaded_by(share: f64, intensity: f64, exposed: &Json) -> SetupLook {
+    look(&json!({"name": "Shaded", "exposed": exposed,
+        "lights": {"key": {"direction": [0.5, 1, 0.5], "intensity": intensity}},
         "nodes": [{"id": "shadow", "kind": "shadow", "values": {"light": "key"}},
             {"id": "paint", "kind": "color_value"},
             {"id": "mix", "kind": "mix_colors", "values": {"factor": share}},
@@ -49,6 +55,16 @@ fn planned(planner: &mut Planner, setup: &Setup) -> FramePlan {
         .plan(setup, Library::built_in(), &Live::Keyed, &options)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)))
         .value
+}
+
+fn picture_of(plan: &FramePlan) -> Vec<[f32; 4]> {
+    block_on(renderer().picture(plan)).unwrap_or_else(|error| panic!("{error}")).rgba
+}
+
+/// True if pictures are the same but for what folding rounds.
+fn is_near(a: &[[f32; 4]], b: &[[f32; 4]]) -> bool {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    a.len() == b.len() && pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-3)
 }
 
 #[test]
@@ -178,24 +194,43 @@ fn muted_lights_leave_no_casters() {
     let mut setup = pair(0.5, 0.0);
     setup.scene.muted = LightSet::parse("*").unwrap();
     let plan = planned(&mut Planner::default(), &setup);
-    assert!(plan.casters.as_ref().is_none_or(|casters| casters.trees().is_empty()));
+    assert!(plan.casters.is_none() && !plan.draws[0].look.wgsl.contains("textureLoad"));
+    // The rule is told of the light, and the light of the node.
     let all = effects(&plan, &HashMap::new());
-    let mut of_casters = all.iter().filter(|effect| effect.kind == EffectKind::Casters);
-    let told = of_casters.next().expect("an effect");
-    assert!(told.reason.contains("no light whose shadows are drawn"), "{told:?}");
-    assert!(of_casters.next().is_none() && told.cost.bytes == 0);
-    let picture = |setup: &Setup| {
-        let plan = planned(&mut Planner::default(), setup);
-        block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}")).rgba
+    assert!(all.iter().all(|effect| effect.kind != EffectKind::Casters), "{all:?}");
+    let why = |what: &str| {
+        let told = all.iter().find(|effect| effect.what == what).expect("an effect");
+        (told.proof, told.reason.clone())
     };
+    let proof = Some(Proof::NoLight);
+    assert_eq!(why("light `key`"), (proof, "it is out: `muted` (`*`) has it".to_owned()));
+    let reason = "nothing of the light `key` arrives".to_owned();
+    assert_eq!(why("node `shadow/others`"), (proof, reason));
+    let picture = |setup: &Setup| picture_of(&planned(&mut Planner::default(), setup));
     let shadowed = picture(&pair(0.5, 0.0));
     let mut bare = pair(0.5, 0.0);
     for object in &mut bare.objects {
         object.shadow_link.shadowed = LightSet::parse("").unwrap();
     }
     let unshadowed = picture(&bare);
-    assert!(shadowed != unshadowed, "there are shadows");
-    assert!(picture(&setup) == unshadowed);
+    assert!(!is_near(&shadowed, &unshadowed), "there are shadows");
+    assert!(is_near(&picture(&setup), &unshadowed));
+}
+
+/// A lamp of intensity 0 casts no shadow, whether its module knows that or reads it from a uniform.
+#[test]
+fn lamps_that_are_out_cast_no_shadow() {
+    let by = |intensity: f64, exposed: &Json| {
+        let mut setup = pair(0.5, 0.0);
+        setup.looks.iter_mut().for_each(|worn| *worn = shaded_by(0.5, intensity, exposed));
+        planned(&mut Planner::default(), &setup)
+    };
+    let exposed = json!([{"name": "energy", "target": "lights.key.intensity"}]);
+    let (known, read, lit) = (by(0.0, &json!([])), by(0.0, &exposed), by(1.0, &exposed));
+    assert!(known.casters.is_none());
+    assert!(read.draws[0].look.wgsl.contains("textureLoad"), "{}", read.draws[0].look.wgsl);
+    assert!(is_near(&picture_of(&known), &picture_of(&read)));
+    assert!(!is_near(&picture_of(&known), &picture_of(&lit)), "a lamp that is on casts a shadow");
 }
 
 /// A thousand lights, of which an object is linked to three, cost what the three cost alone: the

@@ -7,7 +7,7 @@ use crate::support::eval::{eval_with, look};
 use crate::support::examples::samples;
 use chiaro::compile::{CompileOptions, CompiledShader, Live, Loops, compile};
 use chiaro::diag::Diagnostic;
-use chiaro::document::{LightField, Tier};
+use chiaro::document::{LightField, LightInput, Tier};
 use chiaro::frame::{Assets, SetupLook, eval_batches};
 use chiaro::ids::LightId;
 use chiaro::interp::Precision;
@@ -225,7 +225,8 @@ fn loops_are_taken_where_they_are_worth_it() {
 #[test]
 fn lights_that_are_out_are_left_out_of_loops() {
     let look = joined(&JOINS[..1], &["group:sky"], &[]);
-    let out = ["light_1", "light_4"].map(|id| (LightId::from(id), LightField::Intensity));
+    let intensity = LightInput::Field(LightField::Intensity);
+    let out = ["light_1", "light_4"].map(|id| (LightId::from(id), intensity));
     let options = CompileOptions { dark: out.into(), ..options(Loops::Always) };
     let shader = shader(&look, &options);
     let lights: Vec<&str> = shader.loops[0].lights.iter().map(LightId::as_str).collect();

@@ -26,7 +26,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::{LightField, Look, Tier, Value};
+use crate::document::{LightInput, Look, Tier, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Treatment, Type};
 use crate::wgsl::{self, ValidModule};
@@ -96,9 +96,10 @@ pub struct CompileOptions {
     pub display: bool,
     /// True if the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
-    /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or
-    /// black, or that reach none of the objects.
-    pub dark: BTreeSet<(LightId, LightField)>,
+    /// Inputs from lights that are known for whoever wears the look: what they are where the light
+    /// does not reach ([`LightInput::unlit`]), else 0. Of lights that are out, black, or too far
+    /// from every object.
+    pub dark: BTreeSet<(LightId, LightInput)>,
     /// Choice of the lights that are gone through in a loop.
     pub loops: Loops,
     /// True if nothing is folded, merged or removed, and a node is exact unless a tier is named for

@@ -426,23 +426,14 @@ impl<'a> Builder<'a> {
 
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
-        if self.graph.nodes[index].is_unlit
-            && let Some(numbers) = context.light_input().and_then(LightInput::unlit)
+        if let Some(input) = context.light_input()
+            && let Some(numbers) = self.numbers_in_the_dark(index, input, light.as_ref())
         {
-            let value = match numbers {
+            let value = match numbers.as_slice() {
                 [number] => interp::Value::Float(*number),
                 numbers => interp::Value::vec(numbers),
             };
             return self.constant(index, ty, value);
-        }
-        if let (Some(LightInput::Field(field)), Some(id)) = (context.light_input(), &light)
-            && self.options.dark.contains(&(id.clone(), field))
-        {
-            let zero = match ty.width() {
-                Some(1) => interp::Value::Float(0.0),
-                width => interp::Value::vec(&vec![0.0; width.unwrap_or(3)]),
-            };
-            return self.constant(index, ty, zero);
         }
         let made = self.values.len();
         let key = OperationKey::Context(context, light.clone());
@@ -451,6 +442,24 @@ impl<'a> Builder<'a> {
             self.values[id].ranges = Some(intervals::context_ranges(context));
         }
         id
+    }
+
+    /// Numbers of an input from a light that does not reach the node, or whoever wears the look;
+    /// `None` for what no darkness tells.
+    fn numbers_in_the_dark(
+        &self,
+        index: usize,
+        input: LightInput,
+        light: Option<&LightId>,
+    ) -> Option<Vec<f64>> {
+        let is_dark =
+            light.is_some_and(|light| self.options.dark.contains(&(light.clone(), input)));
+        let is_unlit = is_dark || self.graph.nodes[index].is_unlit;
+        let width = || Type::from_wgsl(input.wgsl_type()).width().unwrap_or(1);
+        match input.unlit() {
+            Some(numbers) => is_unlit.then(|| numbers.to_vec()),
+            None => is_dark.then(|| vec![0.0; width()]),
+        }
     }
 
     /// Numbers that are known to lie in [0, 1] by what a node promises.
@@ -478,7 +487,8 @@ impl<'a> Builder<'a> {
 
     /// True if nothing of a light arrives at a node.
     fn is_dark(&self, node: &TypedNode, light: &LightId) -> bool {
-        node.is_unlit || self.options.dark.contains(&(light.clone(), LightField::Intensity))
+        let intensity = LightInput::Field(LightField::Intensity);
+        node.is_unlit || self.options.dark.contains(&(light.clone(), intensity))
     }
 
     /// The outputs of a node that joins lights as the lights before have left them, where its own
@@ -498,24 +508,30 @@ impl<'a> Builder<'a> {
 
     fn call_ranges(
         &mut self,
-        module: &NodeModule,
-        function: &str,
+        node: &TypedNode,
+        (module, function): (&NodeModule, &str),
         arguments: &[Argument],
         rate: Rate,
     ) -> Option<Ranges> {
         if self.options.unspecialized {
             return None;
         }
+        let light = node.light.as_ref();
+        let is_dark = light.is_some_and(|light| self.is_dark(node, light));
         let mut given = Vec::with_capacity(arguments.len());
-        for argument in arguments {
-            given.push(match argument {
+        for (place, argument) in arguments.iter().enumerate() {
+            let ranges = match argument {
                 Argument::Value(id) if rate == Rate::Fragment => {
-                    self.values[*id].ranges_in_fragments()?
+                    self.values[*id].ranges_in_fragments()
                 }
-                Argument::Value(id) => self.values[*id].ranges.clone()?,
+                Argument::Value(id) => self.values[*id].ranges.clone(),
                 // Images and samplers have no numbers.
-                Argument::Image(_) | Argument::Sampler(_) => Ranges::from([]),
-            });
+                Argument::Image(_) | Argument::Sampler(_) => Some(Ranges::from([])),
+            };
+            // What comes of a light that does not arrive seldom hangs on the rest, so that it is
+            // followed although an argument may be anything.
+            let any = || intervals::any_argument(module, function, place).filter(|_| is_dark);
+            given.push(ranges.or_else(any)?);
         }
         self.intervals.call(module, function, &given)
     }
@@ -721,7 +737,7 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized {
             rate = Rate::Fragment;
         }
-        let ranges = self.call_ranges(&module, &name, &arguments, rate);
+        let ranges = self.call_ranges(node, (&module, &name), &arguments, rate);
         if let Some(known) = self.only_value(ranges.as_ref(), &ty) {
             self.proved.insert(index);
             return self.constant(index, ty, known);
@@ -949,15 +965,20 @@ impl<'a> Builder<'a> {
         }
         for &index in &self.graph.order {
             let node = &self.graph.nodes[index];
-            if seen.contains(&index) || explained.contains(&node.path) || index == self.graph.root.0
-            {
-                continue;
-            }
             let outputs = &self.outputs[index];
             let is_constant =
                 |&id: &ValueId| matches!(self.values[id].operation, Operation::Constant(_));
-            let (reason, proof) = if !outputs.is_empty() && outputs.iter().all(is_constant) {
-                if self.proved.contains(&index) {
+            let is_known = !outputs.is_empty() && outputs.iter().all(is_constant);
+            // Surroundings are values of the first node that asks for them, whether or not it runs.
+            let runs = seen.contains(&index) && !is_known;
+            if runs || explained.contains(&node.path) || index == self.graph.root.0 {
+                continue;
+            }
+            let (reason, proof) = if is_known {
+                let dark = node.light.as_ref().filter(|light| self.is_dark(node, light));
+                if let Some(light) = dark {
+                    (format!("nothing of the light `{light}` arrives"), Proof::NoLight)
+                } else if self.proved.contains(&index) {
                     (self.proved_reason(outputs[0]), Proof::Ranges)
                 } else {
                     ("its value is known before drawing".to_owned(), Proof::Constant)

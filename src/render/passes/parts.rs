@@ -21,9 +21,9 @@ pub(crate) struct PipelineParts<'a> {
 /// Test of depths in a pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DepthTest {
-    /// The nearest surface is drawn, and its depth written.
+    /// The nearest surface is drawn, and its depth is written.
     Nearest,
-    /// What lies behind a surface that was drawn before, whose depth stays.
+    /// Fragments behind a surface that was drawn before, whose depth stays, are drawn.
     Behind,
 }
 

@@ -11,7 +11,7 @@ use crate::{RenderError, Renderer};
 /// Resources of a module of a draw.
 struct LookResources<'r> {
     images: Vec<SampledImage>,
-    /// What lights see, in layers, by the pass that draws it.
+    /// Layers of what lights see, by the pass that draws them.
     light_layers: Vec<(PassId, wgpu::TextureView)>,
     targets: &'r Targets,
     casters: Option<&'r CastersTexture>,
@@ -33,7 +33,7 @@ impl LookResources<'_> {
         }
     }
 
-    /// What a pass has drawn: the layers of lights, or an image as large as the picture.
+    /// The result of a pass: the layers of lights, or an image as large as the picture.
     fn pass(&self, pass: PassId) -> Option<&wgpu::TextureView> {
         let layers = self.light_layers.iter().find(|(known, _)| *known == pass);
         let image = || self.targets.image(PassImage { pass, output: 0 });

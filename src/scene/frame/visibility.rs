@@ -16,7 +16,9 @@ use super::camera::View;
 use super::coverage::clip_corners;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{AimPlaces, Light, LightField, LightKind, Look, ObjectFrame, Target};
+use crate::document::{
+    AimPlaces, Light, LightField, LightInput, LightKind, Look, ObjectFrame, Target,
+};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
@@ -115,9 +117,9 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
         || beyond(|c| -c.z)
 }
 
-/// Fields of a look's lights that are 0 for an object, each with the reason; `lights` replace the
-/// look's, and `unlit` ones do not reach the object. Of the others those that keys or exposed
-/// parameters move are never dark.
+/// Inputs from a look's lights that are known for an object because the light is dark there, each
+/// with the reason; `lights` replace the look's, and `unlit` ones do not reach the object. Of the
+/// others those that keys or exposed parameters move are never dark.
 pub(super) fn dark_lights(
     (setup, aims): (&Setup, &Arc<AimPlaces>),
     look: &Look,
@@ -125,7 +127,7 @@ pub(super) fn dark_lights(
     (placed, object): (&ObjectPlacement, &SetupObject),
     view: &View,
     unlit: &IndexMap<LightId, Cow<'static, str>>,
-) -> Vec<((LightId, LightField), Cow<'static, str>)> {
+) -> Vec<((LightId, LightInput), Cow<'static, str>)> {
     let mut moved = moved_lights(look);
     let keyed = setup.scene.keyed_lights();
     moved.extend(keyed.iter().flat_map(moved_lights));
@@ -133,8 +135,11 @@ pub(super) fn dark_lights(
     let frames = setup.light_frames(view, frame, aims);
     let mut dark = Vec::new();
     for (id, own) in &look.lights {
+        let mut put_out = |reason: &Cow<'static, str>| {
+            dark.extend(LightInput::all_unlit().map(|input| ((id.clone(), input), reason.clone())));
+        };
         if let Some(reason) = unlit.get(id) {
-            dark.push(((id.clone(), LightField::Intensity), reason.clone()));
+            put_out(reason);
             continue;
         }
         if moved.contains(id) {
@@ -142,11 +147,17 @@ pub(super) fn dark_lights(
         }
         let light = lights.get(id).unwrap_or(own);
         let values = LightValues::new(light, &frames);
-        if values.color() == DVec3::ZERO {
-            dark.push(((id.clone(), LightField::Color), "it is black".into()));
+        // A lamp that is out casts no shadow: `PlannedCasters::tell` says the same.
+        if values.intensity() == 0.0 {
+            put_out(&"its intensity is 0".into());
+            continue;
         }
-        if let Some(reason) = why_dark(&values, placed) {
-            dark.push(((id.clone(), LightField::Intensity), reason.into()));
+        let field = |field| (id.clone(), LightInput::Field(field));
+        if values.color() == DVec3::ZERO {
+            dark.push((field(LightField::Color), "it is black".into()));
+        }
+        if let Some(reason) = why_out_of_reach(&values, placed) {
+            dark.push((field(LightField::Intensity), reason.into()));
         }
     }
     dark
@@ -166,10 +177,7 @@ fn moved_lights(look: &Look) -> HashSet<&LightId> {
     lights.collect()
 }
 
-fn why_dark(light: &LightValues, placed: &ObjectPlacement) -> Option<&'static str> {
-    if light.intensity() == 0.0 {
-        return Some("its intensity is 0");
-    }
+fn why_out_of_reach(light: &LightValues, placed: &ObjectPlacement) -> Option<&'static str> {
     if light.kind == LightKind::Directional || !light.intensity().is_finite() {
         return None;
     }
@@ -194,9 +202,9 @@ fn why_dark(light: &LightValues, placed: &ObjectPlacement) -> Option<&'static st
     None
 }
 
-/// The fields of dark lights, without the reasons.
-pub(super) fn fields(
-    dark: &[((LightId, LightField), Cow<'static, str>)],
-) -> BTreeSet<(LightId, LightField)> {
-    dark.iter().map(|(field, _)| field.clone()).collect()
+/// The known inputs from dark lights, without the reasons.
+pub(super) fn inputs_of(
+    dark: &[((LightId, LightInput), Cow<'static, str>)],
+) -> BTreeSet<(LightId, LightInput)> {
+    dark.iter().map(|(input, _)| input.clone()).collect()
 }

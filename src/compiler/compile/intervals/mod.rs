@@ -81,6 +81,13 @@ pub(super) fn any_of(module: &naga::Module, ty: Handle<naga::Type>) -> Option<Ra
     layout::tops_of(module, &module.types[ty].inner).map(Into::into)
 }
 
+/// Anything that an argument of a node's function may be; `None` for what is no plain value.
+pub(super) fn any_argument(module: &NodeModule, function: &str, place: usize) -> Option<Ranges> {
+    let (valid, handle) = module.function(function)?;
+    let argument = valid.module.functions[handle].arguments.get(place)?;
+    any_of(&valid.module, argument.ty)
+}
+
 /// Calls on ranges, each made once.
 #[derive(Default)]
 pub(super) struct Calls(FxHashMap<(usize, String, Vec<u64>), Option<Ranges>>);

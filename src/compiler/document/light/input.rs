@@ -191,6 +191,11 @@ impl LightInput {
         }
     }
 
+    /// Inputs that are known where the light does not reach.
+    pub fn all_unlit() -> impl Iterator<Item = Self> {
+        Self::all().filter(|input| input.unlit().is_some())
+    }
+
     /// Word that node files use.
     pub fn word(self) -> &'static str {
         self.row().word

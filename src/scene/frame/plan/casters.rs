@@ -80,8 +80,10 @@ impl PlannedCasters<'_> {
         lights: &mut IndexMap<LightId, LightValues>,
     ) {
         let Some(lit_by) = self.receivers.get(&object) else { return };
+        // A lamp that is out casts no shadow, also where a module does not know that.
+        let is_on = |light: &&mut LightValues| light.intensity() != 0.0;
         for (id, casters) in &lit_by.lights {
-            if let Some(light) = lights.get_mut(id) {
+            if let Some(light) = lights.get_mut(id).filter(is_on) {
                 light.casters = casters.number;
             }
         }
@@ -90,7 +92,8 @@ impl PlannedCasters<'_> {
         }
         let scene = MapScene { objects: self.objects, placed: self.placed, sets: &self.sets };
         for id in shader.host.mapped_lights() {
-            if let (Some(casters), Some(light)) = (lit_by.lights.get(id), lights.get_mut(id)) {
+            let light = lights.get_mut(id).filter(is_on);
+            if let (Some(casters), Some(light)) = (lit_by.lights.get(id), light) {
                 let place = self.maps.borrow_mut().place(&scene, light, casters.set);
                 light.shadow_map = place;
             }

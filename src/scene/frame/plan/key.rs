@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::compile::Live;
-use crate::document::{Graph, LightField, Look, Value};
+use crate::document::{Graph, LightInput, Look, Value};
 use crate::ids::LightId;
 
 /// The hash of everything that a look's module depends on.
@@ -12,7 +12,7 @@ pub(super) fn look_key(
     look: &Look,
     live: &Live,
     cutout: bool,
-    dark: &BTreeSet<(LightId, LightField)>,
+    dark: &BTreeSet<(LightId, LightInput)>,
 ) -> u64 {
     variant_key(content_key(look, live), cutout, dark)
 }
@@ -47,7 +47,7 @@ pub(super) fn content_key(look: &Look, live: &Live) -> u64 {
 pub(super) fn variant_key(
     content: u64,
     cutout: bool,
-    dark: &BTreeSet<(LightId, LightField)>,
+    dark: &BTreeSet<(LightId, LightInput)>,
 ) -> u64 {
     let mut hasher = DefaultHasher::new();
     (content, cutout, dark).hash(&mut hasher);

@@ -16,19 +16,19 @@ use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
 use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
-use crate::document::{LightField, Look};
+use crate::document::{LightInput, Look};
 use crate::frame::keys::{ParamTable, Rig};
 use crate::frame::links::unlit;
 use crate::frame::setup::{SetupLook, SetupObject};
-use crate::frame::visibility::{CullMode, dark_lights, fields};
+use crate::frame::visibility::{CullMode, dark_lights, inputs_of};
 use crate::ids::LightId;
 use crate::library::{Library, Stage};
 
 /// Sets of dark lights for which one look is compiled, at most.
 const MOST_DARK_SETS: usize = 4;
 
-/// Fields of lights that are 0, with the reasons.
-pub(super) type DarkLights = Vec<((LightId, LightField), Cow<'static, str>)>;
+/// Inputs from dark lights that are known, with the reasons.
+pub(super) type DarkLights = Vec<((LightId, LightInput), Cow<'static, str>)>;
 
 /// The variants of looks that objects wear, by the object's number and the look's.
 pub(super) type Variants = HashMap<(usize, usize), LookVariant>;
@@ -39,8 +39,8 @@ pub(super) struct LookVariant {
     pub(super) key: u64,
     /// True if a part of the object is cut out by alpha.
     cutout: bool,
-    /// Fields of lights that are known to be 0.
-    dark: BTreeSet<(LightId, LightField)>,
+    /// Inputs from dark lights that are known.
+    dark: BTreeSet<(LightId, LightInput)>,
 }
 
 /// A variant's modules, compiled when first asked for.
@@ -86,11 +86,11 @@ impl Planner {
                 let now = scene.worn(index, object);
                 let live = &scene.lives[index];
                 let dark = all_dark.remove(&(number, index)).unwrap_or_default();
-                let (cutout, fields) = (has_cutout(object, index), fields(&dark));
+                let (cutout, known) = (has_cutout(object, index), inputs_of(&dark));
                 let own = matches!(now, Cow::Owned(_)).then_some(object);
                 let content = contents.get(index, &now, live, own);
-                let key = variant_key(content, cutout, &fields);
-                let variant = LookVariant { key, cutout, dark: fields };
+                let key = variant_key(content, cutout, &known);
+                let variant = LookVariant { key, cutout, dark: known };
                 if !self.shaders.contains_key(&key) {
                     match self.compile_look(look, &now, scene.library, (live, &variant)) {
                         Ok(shaders) => drop(self.shaders.insert(key, shaders)),
@@ -154,16 +154,16 @@ impl Planner {
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
 
-    /// Fields of lights that are 0 for an object that wears a look, by the object's number and the
-    /// look's. Where different lights are dark for many objects of one look, only what is dark for
-    /// all of them counts, so that the look is not compiled for each.
+    /// Inputs from lights that are dark for an object that wears a look, by the object's number and
+    /// the look's. Where different lights are dark for many objects of one look, only what is dark
+    /// for all of them counts, so that the look is not compiled for each.
     fn dark(
         &self,
         scene: &PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
     ) -> HashMap<(usize, usize), DarkLights> {
         let mut dark: HashMap<(usize, usize), DarkLights> = HashMap::new();
-        let mut sets: HashMap<usize, HashSet<BTreeSet<(LightId, LightField)>>> = HashMap::new();
+        let mut sets: HashMap<usize, HashSet<BTreeSet<(LightId, LightInput)>>> = HashMap::new();
         for &VisibleObject { number, object } in visible {
             for &index in object.looks.iter().flatten() {
                 // Values that may be edited at any time are never assumed to stay as they are.
@@ -180,11 +180,11 @@ impl Planner {
                 let found =
                     dark_lights((setup, &scene.aims), &look, &lights, placed, &scene.view, &unlit);
                 let found = slot.insert(found);
-                sets.entry(index).or_default().insert(fields(found));
+                sets.entry(index).or_default().insert(inputs_of(found));
             }
         }
         sets.retain(|_, sets| sets.len() > MOST_DARK_SETS);
-        let common: HashMap<usize, BTreeSet<(LightId, LightField)>> = sets
+        let common: HashMap<usize, BTreeSet<(LightId, LightInput)>> = sets
             .into_iter()
             .filter_map(|(look, sets)| {
                 let common = sets.into_iter().reduce(|common, set| &common & &set)?;
@@ -193,7 +193,7 @@ impl Planner {
             .collect();
         for ((_, look), dark) in &mut dark {
             if let Some(common) = common.get(look) {
-                dark.retain(|(field, _)| common.contains(field));
+                dark.retain(|(input, _)| common.contains(input));
             }
         }
         dark
