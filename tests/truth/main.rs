@@ -20,6 +20,7 @@ mod raster;
 mod scene_outlines;
 mod screen_occlusion;
 mod shadow_maps;
+mod shadow_places;
 mod shadows;
 mod shape_passes;
 mod single;
