@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use chiaro_compiler::document::Scene;
 use chiaro_compiler::examples::{PREFIX, file, names};
+use chiaro_language::ids::ObjectId;
 use serde_json::Value as Json;
 
 #[test]
@@ -39,4 +41,19 @@ fn the_acts_of_the_lit_room_differ_by_the_mixer_alone() {
     let [(day, bright), (dusk, red), (night, dark)] = &scenes;
     assert!(day == dusk && dusk == night, "the acts are scenes of their own");
     assert!(bright != red && red != dark && dark != bright, "two acts are one");
+}
+
+/// All that a head is made of casts its shadow on neck and scarf at least, and nothing of it on a
+/// face: that is painted.
+#[test]
+fn hair_casts_nothing_on_the_face() {
+    let path = crate::support::root().join("examples/scenes/face-map.json");
+    let scene = Scene::load(&crate::support::chiaro_files::Disk, &path).value.unwrap();
+    for (id, object) in &scene.objects {
+        let (figure, _) = id.as_str().split_once('-').unwrap();
+        let onto = object.shadow_link().objects(&scene.objects);
+        let falls = |part: &str| onto.contains(&ObjectId::new(format!("{figure}-{part}")));
+        assert!(falls("neck") && falls("scarf"), "{id}: {onto:?}");
+        assert!(onto.iter().all(|onto| !onto.as_str().ends_with("-head")), "{id}: {onto:?}");
+    }
 }
