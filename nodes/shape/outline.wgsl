@@ -5,8 +5,8 @@ import chiaro::total;
 ///
 /// Ink where forms end, fold and meet, as values to be drawn in any color: silhouettes, creases,
 /// borders of objects, of materials and of ids, each as wide as it is told. A silhouette is drawn
-/// by what lies in front, as wide as it is; where two surfaces meet, each draws its half of the line.
-/// Wire the width to a curvature, a tone or a noise and lines taper.
+/// by what lies in front, as wide as it is; where two surfaces meet, each draws its half of the
+/// line. Wire the width to a curvature, a tone or a noise and lines taper.
 ///
 /// @choice unit "Unit" default=height height="Of the height" pixels="Pixels" scene="Of the scene" :
 ///   What the width is measured in: thousandths of the picture's height, pixels, or units of the

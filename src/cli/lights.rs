@@ -188,7 +188,6 @@ fn list(lights: &[OwnedLight]) -> String {
             about.push(format!("groups {}", groups(light).join(", ")));
         }
         about.push(match (is_of_scene, looks.len()) {
-            (true, 0) => "of the scene; no look has a light of this id".to_owned(),
             (true, _) => "of the scene".to_owned(),
             (false, 1) => format!("of the look {}", looks[0]),
             (false, count) => format!("of {count} looks"),

@@ -40,7 +40,7 @@ fn lights_are_listed_with_their_groups_and_owners() {
     assert_eq!(
         String::from_utf8(told.stdout).unwrap(),
         "key   directional; \"Key light\"; groups set, sun; of the scene\n\
-         rim   spot; groups rim; of the scene; no look has a light of this id\n\
+         rim   spot; groups rim; of the scene\n\
          back  directional; of the look Layers\n"
     );
 }

@@ -102,7 +102,7 @@ fn a_wall_shows_the_ball_behind_it() {
     assert!(differ * 1000 <= found.len(), "{differ} pixels differ from the reference");
 }
 
-/// Where the ball comes out from behind the wall, it does not end; nothing hides it there.
+/// No end of the ball where it comes out from behind the wall, and no hidden line where it is seen.
 #[test]
 fn what_comes_out_does_not_end() {
     let found = drawn(&mut *renderer(), &ball_behind_wall(3.0, 0.0));

@@ -381,7 +381,16 @@ impl<M: SetMember> MemberSet<M> {
             };
             let word = term.word();
             let message = format!("{whose} names the {what} `{word}`, which there is not");
-            Diagnostic::warning(M::UNKNOWN, message).suggest(word, known)
+            let warning = Diagnostic::warning(M::UNKNOWN, message);
+            // Whoever renamed a light writes its name.
+            let is_named = |(_, member): &(&M::Id, &M)| member.name().eq_ignore_ascii_case(word);
+            match all.iter().find(is_named).filter(|_| matches!(term, SetTerm::Id(_))) {
+                Some((id, member)) => {
+                    let (name, id) = (member.name(), id.as_ref());
+                    warning.hint(format!("write `{id}`, or the name in quotes: `\"{name}\"`"))
+                }
+                None => warning.suggest(word, known),
+            }
         };
         self.idle_terms(all).map(idle).collect()
     }
@@ -691,6 +700,16 @@ mod tests {
         let lights = lights();
         let found: Vec<String> = set.idle_terms(&lights).map(SetTerm::to_string).collect();
         assert_eq!(found, ["kye", "group:rims"]);
+    }
+
+    #[test]
+    fn who_writes_a_name_without_quotes_is_told_so() {
+        let hints = |text: &str| {
+            let warnings = LightSet::parse(text).unwrap().idle_warnings("it", &lights());
+            warnings.into_iter().map(|one| one.hints.concat()).collect::<Vec<_>>()
+        };
+        assert_eq!(hints("rim"), ["write `rim-left`, or the name in quotes: `\"Rim\"`"]);
+        assert_eq!(hints("kye"), ["did you mean `key`?"]);
     }
 
     /// A set with its members by the algebra of sets, written down for each pair of operands.

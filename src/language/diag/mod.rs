@@ -302,6 +302,10 @@ pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec
             if lower.len() >= 3 && (candidate.contains(&lower) || lower.contains(&candidate)) {
                 score += 0.1;
             }
+            // One letter too many, too few or another, or two that changed places.
+            if lower.len() >= 3 && strsim::osa_distance(&lower, &candidate) == 1 {
+                score = score.max(0.9);
+            }
             (score, name)
         })
         .filter(|(score, _)| *score >= 0.78)

@@ -2,10 +2,10 @@
 //!
 //! A new pass over the picture results in 0 where no object is near, and is not run there
 //! (`FramePlan::screen_area`). With one sample a pixel, it results in 0 at each pixel that shows no
-//! object, and the renderer leaves these out, too, unless the row's extent is more. It needs a row here and a file of
-//! `shaders/passes`, whose textures are the row's `reads` by name and whose uniform has numbers of
-//! the view, by the names in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass
-//! through a row of the table of contexts.
+//! object, and the renderer leaves these out, too, unless the row's extent is more. It needs a row
+//! here and a file of `shaders/passes`, whose textures are the row's `reads` by name and whose
+//! uniform has numbers of the view, by the names in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A
+//! look reads the pass through a row of the table of contexts.
 
 use super::row::{PassInput, PassOutput, PassRow, PassWork, ScreenExtent, Stage, TexelFormat};
 

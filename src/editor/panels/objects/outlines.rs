@@ -68,7 +68,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
             edit.slider(ui, (label, help), 0.0..=1.0, share);
         }
     });
-    let help = "Lines over the whole picture, drawn after the looks: beside objects, too. For lines \
+    let help = "Lines over the whole picture, drawn after the looks, beside objects too. For lines \
                 that belong to a look, wire the node Outline";
     section.header_response.on_hover_text(help);
 }
