@@ -231,8 +231,8 @@ pub(super) fn object_uniform(
         padded.extend(column);
         padded.push(0.0);
     }
-    numbers.extend([id, cutoff, material]);
-    padded.extend([id, cutoff, material, 0.0]);
+    numbers.extend([id, material, cutoff]);
+    padded.extend([id, material, cutoff, 0.0]);
     Uniform { bytes: padded.into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect(), numbers }
 }
 

@@ -61,29 +61,26 @@ struct View {
 }
 ";
 
+/// First members of `Object`, which every module has.
 const OBJECT: &str = "\
 struct Object {
     world_from_object: mat4x4f,
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
-    /// The alpha cutoff of the material, 0 for none.
-    cutoff: f32,
-}
 ";
 
-/// `Object` of a module that tells the materials of one object apart.
-const OBJECT_WITH_MATERIAL: &str = "\
-struct Object {
-    world_from_object: mat4x4f,
-    /// The inverse transpose, for normals.
-    world_from_normal: mat3x3f,
-    id: f32,
-    /// The alpha cutoff of the material, 0 for none.
-    cutoff: f32,
+/// Member of `Object` in a module that tells the materials of one object apart.
+const OBJECT_MATERIAL: &str = "    \
     /// The number of the material, from 0 on, for the borders of materials.
     material: f32,
-}
+";
+
+/// Member of `Object` in a module that a mesh's material may cut. The material's number stands
+/// before it, so that every module finds each member in the same place.
+const OBJECT_CUTOFF: &str = "    \
+    /// The alpha cutoff of the material, 0 for none.
+    cutoff: f32,
 ";
 
 impl Emitter<'_> {
@@ -162,8 +159,13 @@ impl Emitter<'_> {
             let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
             self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
-            let tells_parts = self.options.stage.row().tells_parts;
-            self.out.push_str(if tells_parts { OBJECT_WITH_MATERIAL } else { OBJECT });
+            let cutout = self.options.cutout;
+            self.out.push_str(OBJECT);
+            if self.options.stage.row().tells_parts || cutout {
+                self.out.push_str(OBJECT_MATERIAL);
+            }
+            self.out.push_str(if cutout { OBJECT_CUTOFF } else { "" });
+            self.out.push_str("}\n");
             self.out.push('\n');
         }
         if !self.host.members.is_empty() {
