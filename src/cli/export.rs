@@ -19,13 +19,13 @@ Examples:
   chiaro export look.json --to glsl-es300 -o web/
   chiaro export look.json --to wgsl,spirv,hlsl -o shaders/
   chiaro export look.json --to all -o shaders/
-  chiaro export look.json --to hlsl --tier exact -o shaders/
+  chiaro export look.json --to hlsl --tier auto -o shaders/
 
 Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
 file with
-uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. HLSL and \
-MSL are unverified: no
-compiler for them runs in Chiaro's tests, and their files say so.";
+uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. MSL is \
+unverified: no compiler
+for it runs in Chiaro's tests, and its files say so.";
 
 /// Arguments of `chiaro export`.
 #[derive(Debug, clap::Args)]
@@ -39,8 +39,9 @@ pub(super) struct Arguments {
     /// The folder for the files; made where there is none
     #[arg(short, long)]
     output: Option<OutputPath>,
-    /// The implementation to export of every node: exact, balanced, fast, or automatic, the
-    /// cheapest that nobody can see; the document's without it
+    /// The implementation to export of every node: exact, balanced, fast, or auto, the cheapest
+    /// that nobody can see, and the nearest that an export carries, which is told; the document's
+    /// without it
     #[arg(long, value_parser = tier::parse)]
     tier: Option<TierChoice>,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
@@ -71,6 +72,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut setup = open_look(&arguments.look, output)?;
     if let Some(tier) = arguments.tier {
         tier::set_every_tier(&mut setup.look, &mut library, tier);
+        if tier == TierChoice::Automatic {
+            let mut told = export::take_carried_tiers(&mut setup.look, &mut library);
+            setup.source.locate_all(&mut told);
+            output.diagnostics(&told);
+        }
     }
     let located = |mut problems: Vec<Diagnostic>| {
         setup.source.locate_all(&mut problems);

@@ -28,11 +28,11 @@ pub(super) fn word(tier: Tier) -> &'static str {
 /// Parses the word for a tier.
 pub(super) fn parse(text: &str) -> Result<TierChoice, String> {
     match text {
-        "automatic" => Ok(TierChoice::Automatic),
+        "automatic" | "auto" => Ok(TierChoice::Automatic),
         "exact" => Ok(TierChoice::Every(Tier::Exact)),
         "balanced" => Ok(TierChoice::Every(Tier::Balanced)),
         "fast" => Ok(TierChoice::Every(Tier::Fast)),
-        _ => Err("it is automatic, exact, balanced or fast".to_owned()),
+        _ => Err("it is automatic (or auto), exact, balanced or fast".to_owned()),
     }
 }
 

@@ -973,6 +973,7 @@ fn chosen_tiers_are_told_and_can_be_asked_for() {
     let chosen = wgsl(&[]);
     assert_eq!(chosen, wgsl(&["--tier", "automatic"]));
     assert!(wgsl(&["--tier", "exact"]).lines().count() > chosen.lines().count());
+    assert_eq!(chosen, wgsl(&["--tier", "auto"]));
     shop.run(&["export", "flat.json", "--to", "wgsl", "--tier", "best"]).fails(2, &["automatic"]);
     let said = shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "out"]).ok().err;
     assert!(said.contains("which nobody can see; nodes: "), "{said}");

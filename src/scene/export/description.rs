@@ -1,46 +1,8 @@
 //! The JSON file that describes an exported look: everything that a host needs to draw it.
 //!
-//! # How to draw
-//!
-//! Run the `passes` in order, all at the size of the picture. A pass runs one of the `modules`;
-//! `languages` says in which files that module lies, what its entry points and bindings are called
-//! there, and where they are bound. For each binding, `feed` says what to put in:
-//!
-//! - `view`, `object`: uniforms with the members that are listed, each with its meaning. Positions
-//!   are transformed by `clip_from_world` and by nothing else: make it for the API's own clip
-//!   space, which is given as the language's `clip_space`.
-//! - `look`: the members that the module's `host` computes.
-//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
-//!   The file that it names lies beside the description; an HCBTF is an array of textures in a KTX2
-//!   file, bound as all of its layers.
-//! - `pass`: what an earlier pass has drawn.
-//! - `inputs`: what the pass's `inputs` say, for a module that several passes run.
-//! - `curvature`: numbers of the view, each with its meaning.
-//!
-//! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a
-//! `mat3x3f` is three columns of three numbers, each column on 16 bytes. GLSL's blocks say std140,
-//! where the same offsets hold.
-//!
-//! # How parameters become uniforms
-//!
-//! `host.steps` is a program without branches. A step gives a constant, a parameter, something of
-//! the surroundings, the result of a function, or a member of an earlier step's struct;
-//! `host.members` says which steps are written into the uniform. The functions are WGSL, in the
-//! file that `host.functions` names: call them in a compute shader, or port them (they are short,
-//! pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
-//!
-//! A surrounding that is a light's field is in the light's own frame turned into the world: the
-//! illumination frame (a rotation of the host's choice, the same for all lights in it), the world,
-//! the camera, or the object (turned like it, from the middle of its box). A parameter whose target
-//! is `lights.key.direction` sets that field before the steps run.
-//!
-//! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step
-//! with the parameters as they are then, blend the set's values by it, and go on to the next set,
-//! in the order of `key_order`.
-//!
-//! A parameter is given as the step's type: a number for a vector fills it, and a color's alpha is
-//! 1 where it is not given. Curves and ramps are structs whose members the file of functions
-//! declares.
+//! docs/exports.md says, for whoever has the folder alone, how to draw with it: the steps of a frame,
+//! what goes into each binding, and how parameters, lights and keys become the numbers that shaders
+//! read. A field that is added or changed here belongs there, too.
 //!
 //! # Versions
 //!
@@ -49,13 +11,14 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
+use super::exposed::Parameters;
 use super::language::Language;
 use super::modules::{Modules, ShaderModule};
 use super::pretty::pretty;
 use super::reflect::BoundVariable;
 use super::{exposed, host};
 use crate::compile::{ParamId, TierReason, TypedGraph};
-use crate::document::{ColorSpace, Look, Tier};
+use crate::document::{ColorSpace, DirectionKeys, Look, Tier};
 use crate::frame::ViewNumber;
 use crate::library::Library;
 
@@ -66,11 +29,11 @@ pub use super::host::{
 pub use super::language::{
     ClipSpace, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
 };
-pub use super::modules::{ExportImage, ExportPass, ExportTarget, Feed, PassInput};
+pub use super::modules::{DrawnSides, ExportImage, ExportPass, ExportTarget, Feed, PassInput};
 pub use super::reflect::{AttributeDescription, BindingType, EntryPoint, LocatedValue, Member};
 
 /// Version of the description's form.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// The description of an exported look.
 #[derive(Clone, Debug, Serialize)]
@@ -97,9 +60,10 @@ pub struct Description {
     pub lights: Vec<LightDescription>,
     /// Images that the look reads.
     pub images: Vec<ExportImage>,
-    /// Direction keys of the look, as its document has them; left out where it has none.
+    /// Direction keys of the look, as documents write them: a key among drivers has its place in
+    /// `at`, a number for each driver. Left out where the look has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub direction_keys: Vec<crate::document::DirectionKeys>,
+    pub direction_keys: Vec<Value>,
     /// Time keys of the look, as its document has them; left out where it has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub time_keys: Vec<crate::document::TimeKeys>,
@@ -220,16 +184,36 @@ pub(super) fn describe(
         format: FORMAT,
         color_space: look.color_space,
         tiers: TierCounts::of(look, typed),
-        passes: found.passes.clone(),
+        passes: found.passes.iter().map(|pass| with_sides(pass, found, &parameters)).collect(),
         modules,
         languages: languages(written),
         parameters: parameters.list,
         lights,
         images: found.images.clone(),
-        direction_keys: look.direction_keys.clone(),
+        direction_keys: look.direction_keys.iter().map(direction_keys).collect(),
         time_keys: look.time_keys.clone(),
     };
     pretty(&json!(description))
+}
+
+/// A pass with the parameter that decides about the sides of its meshes.
+fn with_sides(pass: &ExportPass, found: &Modules, parameters: &Parameters) -> ExportPass {
+    let cutoff = found.cutoff.filter(|_| pass.draws == "meshes");
+    let sides_parameter = cutoff.and_then(|id| parameters.index.get(&id).copied());
+    ExportPass { sides_parameter, ..pass.clone() }
+}
+
+/// A set of direction keys with every field, each under the name that documents have for it.
+fn direction_keys(keys: &DirectionKeys) -> Value {
+    let mut described = json!(keys);
+    let Some(axes) = keys.by.axes() else { return described };
+    let list = described.get_mut("keys").and_then(Value::as_array_mut).into_iter().flatten();
+    for (fields, key) in list.filter_map(Value::as_object_mut).zip(&keys.keys) {
+        let at = json!(key.direction[..axes.min(key.direction.len())]);
+        let others = std::mem::take(fields).into_iter().filter(|(name, _)| name != "direction");
+        *fields = std::iter::once(("at".to_owned(), at)).chain(others).collect();
+    }
+    described
 }
 
 fn describe_module(

@@ -26,6 +26,7 @@ mod pretty;
 mod reflect;
 mod spirv;
 mod textures;
+mod tiers;
 mod wgsl;
 
 use std::path::Path;
@@ -39,6 +40,7 @@ use crate::library::Library;
 pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
 pub use spirv::{fragment_spirv_words, spirv_words};
+pub use tiers::take_carried_tiers;
 
 /// All languages, in the order in which the window lists them: WGSL, three versions of GLSL, HLSL,
 /// MSL and SPIR-V.

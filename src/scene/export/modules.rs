@@ -1,18 +1,20 @@
 //! The modules of an export, and the passes that run them.
 
+use std::collections::HashMap;
+
 use serde::Serialize;
 
 use super::ExportFile;
 use super::header;
 use super::reflect::{self, BindingType, BoundVariable, EntryPoint};
+use super::tiers::{carried, sends_rays};
 use crate::compile::{
-    BindingKind, CompileOptions, CompiledShader, HostSource, ImageShape, ImageUse, Live, Stage,
-    TypedGraph, TypedNode, compile_typed,
+    AlphaCutoff, BindingKind, CompileOptions, CompiledShader, HostSource, ImageShape, ImageUse,
+    Live, ParamId, Stage, TypedGraph, TypedNode, compile_typed,
 };
 use crate::diag::Diagnostic;
-use crate::document::Tier;
 use crate::frame::{LightModule, ScreenModule};
-use crate::library::{PassId, PassOutput, Type};
+use crate::library::{PassId, PassOutput};
 use crate::wgsl::ValidModule;
 
 /// A WGSL module with everything that a host has to know of it.
@@ -95,11 +97,30 @@ pub struct ExportPass {
     /// sides, depth-tested, into each layer of a square array, whatever the picture's size: one for
     /// a directional light, six for a lamp.
     pub draws: &'static str,
+    /// Sides of the triangles of meshes that are drawn while parameters have their defaults; left
+    /// out where no meshes are drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sides: Option<DrawnSides>,
+    /// Parameter that decides about `sides`, by index: both sides are drawn while it is above 0,
+    /// front sides otherwise. Left out where `sides` never changes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sides_parameter: Option<usize>,
     /// Textures that the pass reads from earlier passes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PassInput>,
     /// Targets that the pass draws into, in the order of locations.
     pub outputs: Vec<ExportTarget>,
+}
+
+/// Sides of triangles that a pass draws. A triangle shows its front where its corners run counter-
+/// clockwise in the picture; clockwise where the model matrix mirrors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DrawnSides {
+    /// Front sides of closed meshes that the eye is outside of, both sides of all others.
+    Front,
+    /// Both sides of every mesh: the look cuts parts away, and the back is seen through them.
+    Both,
 }
 
 /// A texture that a pass reads from an earlier one.
@@ -148,7 +169,6 @@ pub struct ExportImage {
 }
 
 /// Modules, passes and images of an export.
-#[derive(Default)]
 pub(super) struct Modules {
     /// Name of the look, fit for a comment.
     pub(super) title: String,
@@ -156,6 +176,10 @@ pub(super) struct Modules {
     pub(super) modules: Vec<ShaderModule>,
     pub(super) passes: Vec<ExportPass>,
     pub(super) images: Vec<ExportImage>,
+    /// Sides that meshes show while parameters have their defaults.
+    sides: DrawnSides,
+    /// Value that decides whether the look cuts parts of its surface away.
+    pub(super) cutoff: Option<ParamId>,
 }
 
 impl ShaderModule {
@@ -294,7 +318,9 @@ impl ExportPass {
             clear: [0.0; 4],
         };
         let outputs = row.writes.iter().map(target).collect();
-        Self { name: row.slug, module: row.module(), draws, inputs, outputs }
+        let sides = (draws == "lights").then_some(DrawnSides::Both);
+        let (name, module) = (row.slug, row.module());
+        Self { name, module, draws, sides, sides_parameter: None, inputs, outputs }
     }
 }
 
@@ -307,7 +333,15 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     let draw = compile(Stage::default())?;
     refuse_casters(typed, &draw)?;
     let wanted = wanted(&draw);
-    let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
+    let is_cut = draw.cuts(&HashMap::new());
+    let mut found = Modules {
+        title: header::title(&typed.name),
+        modules: Vec::new(),
+        passes: Vec::new(),
+        images: Vec::new(),
+        sides: if is_cut { DrawnSides::Both } else { DrawnSides::Front },
+        cutoff: if let AlphaCutoff::Param(id) = draw.cutoff { Some(id) } else { None },
+    };
     for &pass in &wanted {
         if let Some(module) = ShaderModule::of_lights(pass)? {
             found.add_lights(pass, module);
@@ -325,14 +359,12 @@ fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<D
     if !draw.needs.casters() {
         return Ok(());
     }
-    let sends_rays = |node: &TypedNode, tier| node.def.takes(&Type::Casters, tier);
     let asks = |node: &&TypedNode| sends_rays(node, node.tier);
     let problems = typed.nodes.iter().filter(asks).map(|node| {
-        let mut cheaper = [("balanced", Tier::Balanced), ("fast", Tier::Fast)].into_iter();
-        let hint = match cheaper.find(|(_, tier)| !sends_rays(node, *tier)) {
+        let hint = match carried(node) {
             Some((word, _)) => format!(
-                "choose its {word} tier (\"tier\": \"{word}\", or `--tier {word}`), which an \
-                 export carries"
+                "choose its {word} tier, which an export carries: \"tier\": \"{word}\", or \
+                 `--tier auto` for all such nodes"
             ),
             None => {
                 "mute it for the export, and let the program that draws cast the shadow".to_owned()
@@ -371,7 +403,8 @@ impl Modules {
             let Feed::Pass { pass, output } = feed else { return None };
             Some(PassInput { binding: bound.name.clone(), pass, output })
         });
-        self.passes.push(ExportPass::of(pass, "meshes", inputs.collect()));
+        let sides = Some(self.sides);
+        self.passes.push(ExportPass { sides, ..ExportPass::of(pass, "meshes", inputs.collect()) });
         self.modules.push(module);
     }
 
