@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use naga::ResourceBinding;
-use naga::back::glsl::{self, Version};
+use naga::back::glsl::{self, ReflectionInfo, Version};
 use naga::proc::BoundsCheckPolicies;
 use serde_json::json;
 
@@ -18,6 +18,7 @@ use super::language::{
     LanguageModule, Request,
 };
 use super::modules::ShaderModule;
+use super::readable::{SourceComments, WrittenText};
 use super::reflect::{self, BindingType, BoundVariable};
 use crate::wgsl::{ValidModule, identifiers, rename_identifiers, validate};
 
@@ -25,6 +26,8 @@ use crate::wgsl::{ValidModule, identifiers, rename_identifiers, validate};
 struct StageText {
     stage: naga::ShaderStage,
     text: String,
+    /// The module that the text was written of.
+    valid: ValidModule,
     /// Name of each block as naga writes it.
     blocks: BTreeMap<ResourceBinding, String>,
     /// Name of each texture as naga writes it, and the sampler that is combined with the texture.
@@ -56,9 +59,20 @@ pub(super) fn write(
     described.bindings =
         bindings(module, &names, &stages, &slots, version.supports_explicit_locations());
     described.attributes = names.attributes.clone();
+    let source = SourceComments::of(module.wgsl());
     let mut files = Vec::new();
     for stage in &stages {
-        let text = rename_identifiers(&stage.text, |word| names.of.get(word).cloned());
+        let written = WrittenText {
+            text: rename_identifiers(&stage.text, |word| names.of.get(word).cloned()),
+            valid: &stage.valid,
+            uniforms: names.uniforms(module),
+            renamed: BTreeMap::new(),
+        };
+        let write = |valid: &ValidModule| {
+            let point = &valid.module.entry_points[0];
+            written_text(valid, point, &options).map(|(text, _)| text)
+        };
+        let text = written.readable(&source, write)?;
         let file = format!("{}.{suffix}.{}", request.stem, extension(stage.stage));
         let stage_name = reflect::stage_name(stage.stage);
         let point = LanguageEntryPoint { stage: stage_name, name: "main".to_owned() };
@@ -76,17 +90,7 @@ fn stage_text(
     options: &glsl::Options,
 ) -> Result<StageText, String> {
     let valid = one_stage(module, point)?;
-    let pipeline = glsl::PipelineOptions {
-        shader_stage: point.stage,
-        entry_point: point.name.clone(),
-        multiview: None,
-    };
-    let mut text = String::new();
-    let policies = BoundsCheckPolicies::default();
-    let mut writer =
-        glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
-            .map_err(|error| error.to_string())?;
-    let info = writer.write().map_err(|error| error.to_string())?;
+    let (text, info) = written_text(&valid, point, options)?;
     let place =
         |handle: naga::Handle<naga::GlobalVariable>| valid.module.global_variables[handle].binding;
     let mut blocks = BTreeMap::new();
@@ -99,7 +103,27 @@ fn stage_text(
             place(found.texture).map(|place_of| (place_of, (name, found.sampler.and_then(place)))),
         );
     }
-    Ok(StageText { stage: point.stage, text, blocks, textures })
+    Ok(StageText { stage: point.stage, text, valid, blocks, textures })
+}
+
+/// The stage of an entry point, as naga writes it.
+fn written_text(
+    valid: &ValidModule,
+    point: &naga::EntryPoint,
+    options: &glsl::Options,
+) -> Result<(String, ReflectionInfo), String> {
+    let pipeline = glsl::PipelineOptions {
+        shader_stage: point.stage,
+        entry_point: point.name.clone(),
+        multiview: None,
+    };
+    let mut text = String::new();
+    let policies = BoundsCheckPolicies::default();
+    let mut writer =
+        glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
+            .map_err(|error| error.to_string())?;
+    let info = writer.write().map_err(|error| error.to_string())?;
+    Ok((text, info))
 }
 
 /// The module reduced to one entry point and everything that it needs; naga would write every
@@ -155,11 +179,8 @@ impl Names {
             }
         }
         for bound in &module.bindings {
-            for stage in ["vs", "fs", "cs"] {
-                names.give(
-                    &format!("_group_{}_binding_{}_{stage}", bound.group, bound.binding),
-                    &format!("u_{}", bound.name),
-                );
+            for own in stage_names(bound) {
+                names.give(&own, &format!("u_{}", bound.name));
             }
         }
         let mut attributes = Vec::new();
@@ -182,6 +203,18 @@ impl Names {
         }
         Self { of: names.of, attributes }
     }
+
+    /// The new names of variables that hold uniforms.
+    fn uniforms(&self, module: &ShaderModule) -> BTreeSet<String> {
+        let uniforms = module.bindings.iter().filter(|bound| bound.kind == BindingType::Uniform);
+        uniforms.flat_map(stage_names).filter_map(|own| self.of.get(&own).cloned()).collect()
+    }
+}
+
+/// naga's names of a binding's variable, one for each stage.
+fn stage_names(bound: &BoundVariable) -> [String; 3] {
+    let (group, binding) = (bound.group, bound.binding);
+    ["vs", "fs", "cs"].map(|stage| format!("_group_{group}_binding_{binding}_{stage}"))
 }
 
 struct Choice {

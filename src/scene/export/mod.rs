@@ -23,6 +23,7 @@ mod language;
 mod modules;
 mod msl;
 mod pretty;
+mod readable;
 mod reflect;
 mod spirv;
 mod textures;

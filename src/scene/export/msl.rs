@@ -1,5 +1,7 @@
 //! Metal Shading Language 2.0: one file with both entry points.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use naga::back::msl;
 use serde_json::json;
 
@@ -9,8 +11,9 @@ use super::language::{
     ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
     LanguageModule, Request, TextFile,
 };
-use super::modules::ShaderModule;
+use super::readable::{SourceComments, WrittenText};
 use super::reflect::{BindingType, BoundVariable};
+use crate::wgsl::ValidModule;
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "msl",
@@ -47,7 +50,14 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
             .resources
             .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
     }
-    let (text, points) = naga_text(module, &resources)?;
+    let valid = module.valid();
+    let (text, names) = naga_text(valid, &resources)?;
+    let points = module.entry_points.iter().zip(names);
+    let points = points.map(|(point, name)| LanguageEntryPoint { stage: point.stage, name });
+    let points: Vec<_> = points.collect();
+    let written = WrittenText { uniforms: uniforms(&text), renamed: BTreeMap::new(), valid, text };
+    let write = |valid: &ValidModule| naga_text(valid, &resources).map(|(text, _)| text);
+    let text = written.readable(&SourceComments::of(module.wgsl()), write)?;
     let place = |(bound, kind, slot): &(&BoundVariable, &'static str, u8)| {
         LanguageBinding::new(
             &bound.name,
@@ -91,30 +101,38 @@ fn slots(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, &'static str, u8)> 
     slots
 }
 
+/// Names in a text of arguments that hold uniforms: `constant Look& look`.
+fn uniforms(text: &str) -> BTreeSet<String> {
+    let argument = |line: &str| {
+        let line = line.trim_start_matches([' ', ',']).strip_prefix("constant ")?;
+        let (_, name) = line.split_once("& ")?;
+        let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        Some(name[..end.unwrap_or(name.len())].to_owned())
+    };
+    text.lines().filter_map(argument).collect()
+}
+
+/// A module as naga writes it, and the names of its entry points there.
 fn naga_text(
-    module: &ShaderModule,
+    valid: &ValidModule,
     resources: &msl::EntryPointResources,
-) -> Result<(String, Vec<LanguageEntryPoint>), String> {
-    let valid = module.valid();
+) -> Result<(String, Vec<String>), String> {
     let mut options = msl::Options {
         lang_version: (2, 0),
         fake_missing_bindings: false,
+        // Loops of looks end: Chiaro takes no others.
+        force_loop_bounding: false,
         ..msl::Options::default()
     };
-    for point in &module.entry_points {
+    for point in &valid.module.entry_points {
         options.per_entry_point_map.insert(point.name.clone(), resources.clone());
     }
     let pipeline = msl::PipelineOptions::default();
     let (text, info) = msl::write_string(&valid.module, &valid.info, &options, &pipeline)
         .map_err(|e| e.to_string())?;
-    let mut points = Vec::new();
-    for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
-        points.push(LanguageEntryPoint {
-            stage: point.stage,
-            name: name.map_err(|error| error.to_string())?,
-        });
-    }
-    Ok((text, points))
+    let names = info.entry_point_names.into_iter();
+    let names: Result<Vec<_>, _> = names.map(|name| name.map_err(|e| e.to_string())).collect();
+    Ok((text, names?))
 }
 
 /// The name that naga gives to the argument at a slot: `view_1` where another function has an

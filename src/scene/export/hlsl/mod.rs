@@ -1,7 +1,12 @@
 //! HLSL, shader model 5.1, for Direct3D 12: one file with both entry points.
 //!
 //! naga reaches samplers through a heap of 2048, as wgpu binds them. The writer gives each sampler
-//! a register of its own instead, so that the file fits any engine.
+//! a register of its own instead, so that the file fits any engine; and writes constants in a form
+//! that every compiler takes ([`lists`]).
+
+mod lists;
+
+use std::collections::BTreeMap;
 
 use naga::back::hlsl;
 use serde_json::json;
@@ -12,8 +17,9 @@ use super::language::{
     ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
     LanguageModule, Request, TextFile,
 };
-use super::modules::ShaderModule;
+use super::readable::{SourceComments, WrittenText};
 use super::reflect::{BindingType, BoundVariable};
+use crate::wgsl::ValidModule;
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "hlsl",
@@ -21,18 +27,23 @@ pub(super) const LANGUAGE: Language = Language {
     short_label: "HLSL",
     api: "Direct3D 12",
     texts: &[TextFile { ending: ".hlsl", content: "shader" }],
-    verified_by: None,
+    verified_by: Some("glslangValidator and slangc"),
     clip_space: ClipSpace::WEBGPU,
-    note: "Unverified: written by naga, seen by no HLSL compiler. Attributes have the semantic LOC \
-           followed by their location. Matrices are declared row_major, each row holding a column \
-           of the uniform's bytes.",
+    note: "Direct3D's own compilers have not seen it. Attributes have the semantic LOC followed by \
+           their location. Matrices are declared row_major, each row holding a column of the \
+           uniform's bytes.",
     write,
 };
 
 fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
     let module = request.module;
     let registers = registers(&module.bindings);
-    let mut options = hlsl::Options { fake_missing_bindings: false, ..hlsl::Options::default() };
+    let mut options = hlsl::Options {
+        fake_missing_bindings: false,
+        // Loops of looks end: Chiaro takes no others.
+        force_loop_bounding: false,
+        ..hlsl::Options::default()
+    };
     let textures = registers.iter().filter(|(_, letter, _)| *letter == 't').count() as u32;
     for (bound, _, register) in &registers {
         let target = hlsl::BindTarget { register: *register, ..hlsl::BindTarget::default() };
@@ -44,15 +55,26 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
             .sampler_buffer_binding_map
             .insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
     }
-    let (text, points) = naga_text(module, &options)?;
-    let text = own_samplers(&text)?;
+    let valid = module.valid();
+    let (text, names) = naga_text(valid, &options)?;
+    let points = module.entry_points.iter().zip(names);
+    let points = points.map(|(point, name)| LanguageEntryPoint { stage: point.stage, name });
+    let points: Vec<_> = points.collect();
+    let text = lists::with_lists(&own_samplers(&text)?);
+    let own_names = own_names(&text, &registers);
+    let uniforms = registers.iter().filter(|(bound, ..)| bound.kind == BindingType::Uniform);
+    let uniforms = uniforms.map(|(_, letter, register)| register_name(&text, *letter, *register));
+    let written = WrittenText {
+        uniforms: uniforms.map(str::to_owned).collect(),
+        renamed: own_names,
+        valid,
+        text: text.clone(),
+    };
+    let write = |valid: &ValidModule| naga_text(valid, &options).map(|(text, _)| text);
+    let text = written.readable(&SourceComments::of(module.wgsl()), write)?;
     let place = |(bound, letter, register): &(&BoundVariable, char, u32)| {
         let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
-        LanguageBinding::new(
-            &bound.name,
-            name_at(&text, &format!("register({letter}{register})")),
-            &at,
-        )
+        LanguageBinding::new(&bound.name, register_name(&text, *letter, *register), &at)
     };
     let bindings: Vec<_> = registers.iter().map(place).collect();
     let names: Vec<_> = bindings
@@ -95,23 +117,44 @@ fn registers(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, char, u32)> {
         .collect()
 }
 
+/// A module as naga writes it, and the names of its entry points there.
 fn naga_text(
-    module: &ShaderModule,
+    valid: &ValidModule,
     options: &hlsl::Options,
-) -> Result<(String, Vec<LanguageEntryPoint>), String> {
-    let valid = module.valid();
+) -> Result<(String, Vec<String>), String> {
     let mut text = String::new();
     let pipeline = hlsl::PipelineOptions::default();
     let mut writer = hlsl::Writer::new(&mut text, options, &pipeline);
     let info = writer.write(&valid.module, &valid.info, None).map_err(|error| error.to_string())?;
-    let mut points = Vec::new();
-    for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
-        points.push(LanguageEntryPoint {
-            stage: point.stage,
-            name: name.map_err(|error| error.to_string())?,
-        });
+    let names = info.entry_point_names.into_iter();
+    let names: Result<Vec<_>, _> = names.map(|name| name.map_err(|e| e.to_string())).collect();
+    Ok((text, names?))
+}
+
+/// The bindings' own names for those that naga gives to their variables, where nothing else of the
+/// module has them: `view` for `view_1`.
+fn own_names(text: &str, registers: &[(&BoundVariable, char, u32)]) -> BTreeMap<String, String> {
+    let outer = |name: &str| {
+        let is_declared = |line: &str| {
+            let begins = line.starts_with(|c: char| c.is_ascii_alphabetic());
+            begins && (line.contains(&format!(" {name}(")) || line.contains(&format!(" {name} ")))
+        };
+        text.lines().any(is_declared)
+    };
+    let mut names = BTreeMap::new();
+    for (bound, letter, register) in registers {
+        let own = register_name(text, *letter, *register);
+        if own.strip_prefix(bound.name.as_str()).is_some_and(is_number) && !outer(&bound.name) {
+            names.insert(own.to_owned(), bound.name.clone());
+        }
     }
-    Ok((text, points))
+    names
+}
+
+/// True for `_1`.
+fn is_number(end: &str) -> bool {
+    let digits = end.strip_prefix('_').unwrap_or_default();
+    !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Removes the sampler heap from the text: every sampler gets its own register.
@@ -142,9 +185,10 @@ fn own_samplers(text: &str) -> Result<String, String> {
     Ok(result)
 }
 
-/// The name that naga gives to the variable at a register: `view_1` where a function has an
-/// argument `view`.
-fn name_at<'t>(text: &'t str, register: &str) -> &'t str {
-    let declared = text.find(&format!(" : {register}")).map_or("", |end| &text[..end]);
+/// The name of the variable at a register. naga calls it `view_1` where a function has an argument
+/// `view`.
+fn register_name(text: &str, letter: char, register: u32) -> &str {
+    let place = format!(" : register({letter}{register})");
+    let declared = text.find(&place).map_or("", |end| &text[..end]);
     declared.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }

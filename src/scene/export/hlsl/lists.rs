@@ -1,0 +1,157 @@
+//! Values of structs and arrays as lists in braces.
+//!
+//! naga makes a struct by a function, `ConstructPair(1.0, 2.0)`, and zeros of an array by a cast,
+//! `(float[4])0`. Compilers of HLSL want constants of a module without calls ("initializer must be
+//! a compile-time constant"), and some know no cast to an array. A list in braces is the same value
+//! to all of them.
+
+use std::fmt::Write as _;
+
+use super::super::readable::words;
+
+/// Beginning of the names of naga's functions that make structs and arrays.
+const CONSTRUCT: &str = "Construct";
+
+/// The text with lists in the place of constructing functions where a constant is given, and of
+/// zeros of arrays; constructing functions that nothing calls any more are left out.
+pub(super) fn with_lists(text: &str) -> String {
+    let lines: String = text.lines().map(|line| line_with_lists(line) + "\n").collect();
+    without_uncalled(&lines)
+}
+
+fn line_with_lists(line: &str) -> String {
+    let line = if line.starts_with("static const ") { in_braces(line) } else { line.to_owned() };
+    zeros_in_braces(&line).unwrap_or(line)
+}
+
+/// `float4 colors[2] = (float4[2])0;` as `float4 colors[2] = { (float4)0, (float4)0 };`; `None` for
+/// other lines.
+fn zeros_in_braces(line: &str) -> Option<String> {
+    let (variable, value) = line.split_once(" = (")?;
+    let (ty, count) = value.strip_suffix("])0;")?.split_once('[')?;
+    let count: usize = count.parse().ok()?;
+    let mut list = String::new();
+    for index in 0..count {
+        let _ = write!(list, "{}({ty})0", if index == 0 { "" } else { ", " });
+    }
+    Some(format!("{variable} = {{ {list} }};"))
+}
+
+/// A line with `ConstructX(a, b)` as `{a, b}`, at any depth.
+fn in_braces(line: &str) -> String {
+    let mut text = String::with_capacity(line.len());
+    let mut closing = Vec::new();
+    let mut rest = line;
+    while let Some(next) = rest.chars().next() {
+        let word = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let word = &rest[..word.unwrap_or(rest.len())];
+        if word.starts_with(CONSTRUCT) && rest[word.len()..].starts_with('(') {
+            text.push('{');
+            closing.push('}');
+            rest = &rest[word.len() + 1..];
+            continue;
+        }
+        let taken = word.len().max(next.len_utf8());
+        match next {
+            '(' => {
+                closing.push(')');
+                text.push('(');
+            }
+            ')' => text.push(closing.pop().unwrap_or(')')),
+            _ => text.push_str(&rest[..taken]),
+        }
+        rest = &rest[taken..];
+    }
+    text
+}
+
+/// The text without constructing functions that nothing calls.
+fn without_uncalled(text: &str) -> String {
+    let mut text = text.to_owned();
+    // A function may be called by one that is removed, so that a removal may allow another.
+    while let Some(name) = uncalled(&text) {
+        let Some(start) = text.find(&format!(" {name}(")) else { return text };
+        let start = text[..start].rfind('\n').map_or(0, |end| end + 1);
+        let is_definition = text[start..].lines().next().is_some_and(|line| line.ends_with('{'));
+        if !is_definition {
+            return text;
+        }
+        let Some(end) = text[start..].find("\n}\n") else { return text };
+        let end = start + end + "\n}\n".len();
+        let end = if text[end..].starts_with('\n') { end + 1 } else { end };
+        text.replace_range(start..end, "");
+        let typedef = format!(" ret_{name}");
+        let of_type = text.lines().filter(|line| line.contains(&typedef)).collect::<Vec<_>>();
+        if let [one] = of_type[..]
+            && one.starts_with("typedef ")
+        {
+            text = text.replacen(&format!("{one}\n"), "", 1);
+        }
+    }
+    text
+}
+
+/// A constructing function whose name stands in the text only once.
+fn uncalled(text: &str) -> Option<String> {
+    let mut names: Vec<&str> = words(text)
+        .map(|word| &text[word.span])
+        .filter(|word| word.starts_with(CONSTRUCT))
+        .collect();
+    names.sort_unstable();
+    let once = names.chunk_by(|a, b| a == b).find(|uses| uses.len() == 1)?;
+    let is_function = text.contains(&format!(" {}(", once[0]));
+    is_function.then(|| once[0].to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_are_lists_and_their_functions_go() {
+        let text = "\
+Inner ConstructInner(float arg0) {
+    Inner ret = (Inner)0;
+    ret.a = arg0;
+    return ret;
+}
+
+Pair ConstructPair(Inner arg0, float2 arg1) {
+    Pair ret = (Pair)0;
+    return ret;
+}
+
+static const Pair PAIR = ConstructPair(ConstructInner((1.0 + 0.5)), float2(2.0, 3.0));
+static const float2 NONE[2] = (float2[2])0;
+Pair ConstructUsed(float arg0) {
+    return ret;
+}
+float4 fs_main() {
+    float2 sums[2] = (float2[2])0;
+    return ConstructUsed(1.0).a;
+}
+";
+        let wanted = "\
+static const Pair PAIR = {{(1.0 + 0.5)}, float2(2.0, 3.0)};
+static const float2 NONE[2] = { (float2)0, (float2)0 };
+Pair ConstructUsed(float arg0) {
+    return ret;
+}
+float4 fs_main() {
+    float2 sums[2] = { (float2)0, (float2)0 };
+    return ConstructUsed(1.0).a;
+}
+";
+        assert_eq!(with_lists(text), wanted);
+    }
+
+    #[test]
+    fn broken_text_is_left_alone() {
+        for text in
+            ["static const A a = ConstructA(1.0\n", ")))\n", "A ConstructA(\n", "λ = (x])0;\n"]
+        {
+            let lists = with_lists(text);
+            assert!(lists.ends_with('\n') && lists.lines().count() == 1, "{lists}");
+        }
+    }
+}
