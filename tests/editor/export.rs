@@ -103,7 +103,7 @@ fn the_menu_exports_what_the_program_does() {
         );
         assert_eq!(
             told(&hand).contains("unverified"),
-            ["all", "hlsl", "msl"].contains(&language),
+            ["all", "msl"].contains(&language),
             "{}",
             told(&hand)
         );

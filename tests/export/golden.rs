@@ -6,9 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::support::files;
-use crate::support::validators::{
-    ShaderStage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint,
-};
+use crate::support::validators::{ShaderStage, glslang, glslang_reflection, hlsl, spirv_val, tint};
 use chiaro::compile::{
     CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };
@@ -233,7 +231,7 @@ fn judged(files: &[ExportFile]) -> (Vec<String>, usize) {
             "vert" => glslang(&text(file), ShaderStage::Vertex, &[]),
             "frag" => glslang(&text(file), ShaderStage::Fragment, &[]),
             "spv" => spirv_val(&file.bytes, "vulkan1.1"),
-            "hlsl" => glslang_hlsl(&text(file)),
+            "hlsl" => hlsl(&text(file)),
             "wgsl" => {
                 wgsl.push(folder.path().join(&file.name));
                 fs::write(folder.path().join(&file.name), &file.bytes)
@@ -371,7 +369,7 @@ fn unverified_languages_say_so_in_every_file() {
     for file in
         files.iter().filter(|file| !file.name.ends_with(".spv") && !file.name.ends_with(".json"))
     {
-        let is_unverified = file.name.ends_with(".hlsl") || file.name.ends_with(".metal");
+        let is_unverified = file.name.ends_with(".metal");
         assert_eq!(text(file).contains("// UNVERIFIED: "), is_unverified, "{}", file.name);
         // The look's name, `Rich look\`, ends in a backslash, which must not swallow the line after
         // a comment.

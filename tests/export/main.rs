@@ -2,7 +2,9 @@
 
 use chiaro_test_drawing as support;
 
+mod described;
 mod golden;
 mod instructions;
+mod readable;
 mod shadow_maps;
 mod validators;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::files;
 use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::validators::{
-    ShaderStage, Tool, for_glslang, glslang, glslang_hlsl, spirv_val, tint, tools_are_required,
+    ShaderStage, Tool, glslang, glslang_hlsl, hlsl, slang_hlsl, spirv_val, tint, tools_are_required,
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
@@ -104,35 +104,42 @@ fn glslang_knows_every_version_that_we_write() {
     }
 }
 
+/// Both compilers of HLSL take a right shader, with constants as exports write them, and refuse
+/// wrong ones; slangc also constants that a function makes.
 #[test]
-fn glslang_reads_hlsl() {
-    let shader = |body: &str| {
+fn compilers_of_hlsl_know_right_from_wrong() {
+    let shader = |pair: &str, body: &str| {
         format!(
             "struct Pair {{ float a; float2 b; }};\n\
              Pair ConstructPair(float a, float2 b) {{ Pair ret = (Pair)0; ret.a = a; ret.b = b; \
              return ret; }}\n\
-             static const Pair PAIR = ConstructPair((1.0 + 0.5), float2(2.0, 3.0));\n\
+             static const Pair PAIR = {pair};\n\
              float4 vs_main(float3 at : LOC0) : SV_Position {{ return float4(at, 1.0); }}\n\
-             float4 fs_main() : SV_Target0 {{\n    float2 sums[2] = (float2[2])0;\n    {body}\n}}\n"
+             float4 fs_main() : SV_Target0 {{\n    float2 sums[2] = {{ (float2)0, (float2)0 }};\n    \
+             {body}\n}}\n"
         )
     };
-    glslang_hlsl(&shader("sums[1] += PAIR.b; return float4(PAIR.a, sums[1], 1.0);"))
-        .expect("a right shader");
-    let adapted = for_glslang(&shader(""));
-    assert!(
-        adapted.contains("static const Pair PAIR = {(1.0 + 0.5), float2(2.0, 3.0)};"),
-        "{adapted}"
-    );
-    assert!(adapted.contains("    float2 sums[2] = { (float2)0, (float2)0 };"), "{adapted}");
+    let list = "{(1.0 + 0.5), float2(2.0, 3.0)}";
+    let sum = "sums[1] += PAIR.b; return float4(PAIR.a, sums[1], 1.0);";
+    hlsl(&shader(list, sum)).expect("a right shader");
+    let wrong = [
+        "return PAIR;",
+        "return float4(PAIR.c, 0.0, 0.0, 1.0);",
+        "return missing(sums);",
+        "return float4(1.0",
+    ];
     if can_refuse(Tool::Glslang) {
-        for wrong in [
-            "return PAIR;",
-            "return float4(PAIR.c, 0.0, 0.0, 1.0);",
-            "return missing(sums);",
-            "return float4(1.0",
-        ] {
-            glslang_hlsl(&shader(wrong)).expect_err(wrong);
+        for body in wrong {
+            glslang_hlsl(&shader(list, body)).expect_err(body);
         }
+    }
+    if Tool::Slang.is_here() {
+        for body in wrong {
+            slang_hlsl(&shader(list, body)).expect_err(body);
+        }
+        let made = shader("ConstructPair(1.0, float2(2.0, 3.0))", sum);
+        let refused = slang_hlsl(&made).expect_err("a constant that a function makes");
+        assert!(refused.contains("compile-time constant"), "{refused}");
     }
 }
 
@@ -196,6 +203,9 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
 /// The sweep of exported files: outside compilers judge, as the project drives them.
 const SWEEP: &[&str] = &["tests/export/validators.rs", "tests/support/validators.rs", "tests/tint"];
 
+/// The version of slangc, as `scripts/setup` fetches it.
+const SLANG: &str = include_str!("../slang/requirements.txt");
+
 /// Has every exported file judged that is due by the ledger, and closes the ledger. A file's
 /// extension says who judges the file; an unknown extension is a mistake. Files lie under `root`.
 fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
@@ -220,7 +230,7 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
             "frag" => glslang(&text, ShaderStage::Fragment, &[]),
             "comp" => glslang(&text, ShaderStage::Compute, &[]),
             "spv" => spirv_val(&bytes, "vulkan1.1"),
-            "hlsl" => glslang_hlsl(&text),
+            "hlsl" => hlsl(&text),
             // No tool on Debian judges Metal, and those files say so; the others are no shaders.
             "metal" | "json" | "txt" | "md" | "png" => continue,
             _ => Err(format!("nobody judges .{extension} files; see tests/export/validators.rs")),
@@ -248,7 +258,7 @@ fn versions() -> String {
             .map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
             .unwrap_or_default()
     };
-    said("glslangValidator") + &said("spirv-val")
+    said("glslangValidator") + &said("spirv-val") + SLANG
 }
 
 /// Committed outputs of `tests/golden/` pass, found by a walk so that none is forgotten.

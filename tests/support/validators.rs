@@ -20,6 +20,9 @@ pub enum Tool {
     SpirvVal,
     /// WGSL: Tint, in Dawn for Node, driven by `tests/tint/validate.mjs`.
     Tint,
+    /// HLSL: `slangc` of the Slang project, by `tests/slang/requirements.txt`. Unlike the others it
+    /// may be missing where the tools are required: `scripts/setup` needs Python's registry for it.
+    Slang,
 }
 
 impl Tool {
@@ -40,12 +43,13 @@ impl Tool {
                 tint_folder().join("node_modules/webgpu/package.json").is_file()
                     && starts("node", "--version")
             }
+            Self::Slang => starts(&slangc(), "-version"),
         }
     }
 
     /// Result of a check without its tool: passes and prints a line, unless the tools are required.
     fn missing(self) -> Result<(), String> {
-        if tools_are_required() {
+        if tools_are_required() && self != Self::Slang {
             return Err(format!("{self} is missing: run scripts/setup"));
         }
         say(&format!("SKIPPED: {self} is missing; scripts/setup installs it"));
@@ -59,6 +63,7 @@ impl fmt::Display for Tool {
             Self::Glslang => "glslangValidator",
             Self::SpirvVal => "spirv-val",
             Self::Tint => "Tint",
+            Self::Slang => "slangc",
         })
     }
 }
@@ -108,11 +113,19 @@ pub fn glslang(source: &str, stage: ShaderStage, flags: &[&str]) -> Result<(), S
     }
 }
 
-/// Has glslang's front end for HLSL read the two entry points of `source`, rewritten where that
-/// front end is wrong about HLSL ([`for_glslang`]): a second opinion on every expression, type and
-/// declaration, but not that of a Direct3D compiler.
+/// Has both compilers of HLSL read the two entry points of `source`: glslang's front end, and
+/// slangc. Neither is Direct3D's own.
+pub fn hlsl(source: &str) -> Result<(), String> {
+    glslang_hlsl(source)?;
+    slang_hlsl(source)
+}
+
+/// Entry points of exported HLSL.
+const HLSL_ENTRIES: [(ShaderStage, &str); 2] =
+    [(ShaderStage::Vertex, "vs_main"), (ShaderStage::Fragment, "fs_main")];
+
+/// Has glslang's front end for HLSL read the two entry points of `source`.
 pub fn glslang_hlsl(source: &str) -> Result<(), String> {
-    let source = for_glslang(source);
     let vulkan = [
         "--target-env",
         "vulkan1.1",
@@ -121,64 +134,41 @@ pub fn glslang_hlsl(source: &str) -> Result<(), String> {
         "-o",
         "out.spv",
     ];
-    for (stage, entry) in [(ShaderStage::Vertex, "vs_main"), (ShaderStage::Fragment, "fs_main")] {
-        glslang(&source, stage, &[&["-D", "-e", entry], &vulkan[..]].concat())?;
+    for (stage, entry) in HLSL_ENTRIES {
+        glslang(source, stage, &[&["-D", "-e", entry], &vulkan[..]].concat())?;
     }
     Ok(())
 }
 
-/// HLSL rewritten for glslang, which takes a constant of the module that is made by a function for
-/// a recursion, and knows no zero that is cast to an array. Both become lists in braces, of the
-/// same values.
-pub fn for_glslang(source: &str) -> String {
-    let line = |line: &str| -> String {
-        if line.starts_with("static const ") && line.contains(" = Construct") {
-            return constructed_in_braces(line);
-        }
-        // `float4 colors[16] = (float4[16])0;`
-        let zero = line.split_once(" = (").filter(|(_, value)| value.ends_with("])0;"));
-        let parts = zero.and_then(|(variable, _)| {
-            let (ty, name) = variable.trim_start().split_once(' ')?;
-            let count: usize = name.split_once('[')?.1.strip_suffix(']')?.parse().ok()?;
-            Some((variable, ty, count))
-        });
-        match parts {
-            Some((variable, ty, count)) => {
-                format!("{variable} = {{ {} }};", vec![format!("({ty})0"); count].join(", "))
-            }
-            None => line.to_owned(),
-        }
-    };
-    source.lines().map(|one| line(one) + "\n").collect()
+/// Has slangc compile the two entry points of `source`.
+pub fn slang_hlsl(source: &str) -> Result<(), String> {
+    if !Tool::Slang.is_here() {
+        return Tool::Slang.missing();
+    }
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let file = folder.path().join("shader.hlsl");
+    std::fs::write(&file, source).map_err(|error| error.to_string())?;
+    let mut command = Command::new(slangc());
+    command.arg(&file).args([
+        "-target",
+        "hlsl",
+        "-profile",
+        "sm_5_1",
+        "-warnings-disable",
+        "30056",
+    ]);
+    for (stage, entry) in HLSL_ENTRIES {
+        let stage = if stage == ShaderStage::Vertex { "vertex" } else { "fragment" };
+        command.args(["-entry", entry, "-stage", stage]);
+    }
+    let output = command.output().map_err(|error| error.to_string())?;
+    if output.status.success() { Ok(()) } else { Err(said(&output)) }
 }
 
-/// A line of HLSL with `ConstructX(a, b)` as `{a, b}`, at any depth.
-fn constructed_in_braces(line: &str) -> String {
-    let mut text = String::new();
-    let mut closing = Vec::new();
-    let mut rest = line;
-    while let Some(next) = rest.chars().next() {
-        let name = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
-        if rest.starts_with("Construct") && rest[name..].starts_with('(') {
-            text.push('{');
-            closing.push('}');
-            rest = &rest[name + 1..];
-            continue;
-        }
-        match next {
-            '(' => closing.push(')'),
-            ')' => {
-                text.extend(closing.pop());
-                rest = &rest[1..];
-                continue;
-            }
-            _ => {}
-        }
-        let word = if name == 0 { next.len_utf8() } else { name };
-        text.push_str(&rest[..word]);
-        rest = &rest[word..];
-    }
-    text
+/// The program `slangc`.
+fn slangc() -> String {
+    let own = root().join(".tools/slang/bin/slangc");
+    if own.is_file() { own.to_string_lossy().into_owned() } else { "slangc".to_owned() }
 }
 
 /// The uniforms of the program that `files` of `folder` make together, by glslang: names, offsets
