@@ -73,12 +73,10 @@ Examples:
   chiaro check examples/
   chiaro export rim.json --to glsl-450 -o shaders/
 
-Results go to standard output, messages to standard error. What a command reads is never written \
-over, and files that
-Chiaro did not make are replaced with --force only.
-Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says \
-what);
-2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
+Results go to standard output, messages to standard error. What a command reads is never written
+over, and files that Chiaro did not make are replaced with --force only.
+Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says
+what); 2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -168,7 +166,19 @@ pub fn run() -> Outcome {
     let output = Output::new();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) if error.use_stderr() => error.exit(),
+        Err(error) if error.use_stderr() => {
+            // The parser takes a mistyped command for a file, which no arguments may follow.
+            let first = std::env::args_os().nth(1).map(PathBuf::from);
+            let is_command = |word: &PathBuf| {
+                let command = command();
+                let mut known = command.get_subcommands().map(clap::Command::get_name);
+                word == Path::new("help") || known.any(|known| word == Path::new(known))
+            };
+            match first.filter(|word| !is_command(word) && is_mistyped(word)) {
+                Some(word) => unknown_subcommand(&word).exit(),
+                None => error.exit(),
+            }
+        }
         // Help and the version are results like any other.
         Err(help) => {
             output.help(&help);
@@ -259,7 +269,8 @@ fn finished(result: Result<(), Vec<Diagnostic>>, output: &Output) -> ExitCode {
 /// True if a word that is no subcommand was meant as one: no file has this name, and it does not
 /// look like a file name.
 fn is_mistyped(word: &Path) -> bool {
-    !word.exists() && word.extension().is_none() && word.components().count() == 1
+    let is_option = word.to_string_lossy().starts_with('-');
+    !is_option && !word.exists() && word.extension().is_none() && word.components().count() == 1
 }
 
 fn unknown_subcommand(word: &Path) -> clap::Error {

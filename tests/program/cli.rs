@@ -146,6 +146,8 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     }
     assert!(shop.run(&["--version"]).ok().out.starts_with("chiaro "));
     shop.run(&["paint"]).fails(2, &["unrecognized subcommand"]);
+    let similar = "similar subcommand exists: 'render'";
+    shop.run(&["rendr", "look.json", "-o", "a.png"]).fails(2, &[similar]);
     shop.run(&["chekc"]).fails(2, &["'check'"]);
     shop.run(&["export", "a.json"]).fails(2, &["--to"]);
     if cfg!(feature = "gpu") {
