@@ -1,6 +1,6 @@
 // Anime face: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // anime-face.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,27 +13,35 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light eye;
     metal::float3x3 camera_from_world;
     Light back;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -42,28 +50,45 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct VectorParts {
+    /// The first number.
     float x;
+    /// The second number.
     float y;
+    /// The third number.
     float z;
 };
 struct Vertex {
@@ -82,6 +107,9 @@ constant ProfileShape shine_tone_shape = ProfileShape {0.9950042, 0.099833414, 0
 constant ProfileShape rim_light_tone_shape = ProfileShape {0.90896577, 0.4168708, 0.0, 1.0, 0.86, 0.0, 0.0, 1u};
 constant ProfileShape contour_tone_shape = ProfileShape {0.819648, 0.57286745, 0.0, 1.0, 1.22, 0.0, 0.0, 1u};
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -95,61 +123,76 @@ metal::float3 normalize_or(
     return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / metal::sqrt(square)));
 }
 
+/// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
+/// counts as having no direction.
 metal::float3 normalize_quick(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    bool is_usable = (square_1 > 0.000000000000000000000000000001) & true;
-    return is_usable ? (v_1 * metal::rsqrt(is_usable ? square_1 : 1.0)) : otherwise_1;
+    float square = metal::dot(v, v);
+    bool is_usable = (square > 0.000000000000000000000000000001) & true;
+    return is_usable ? (v * metal::rsqrt(is_usable ? square : 1.0)) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s_3 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
     float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
-    return metal::float2(s_3, c);
+    return metal::float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_4 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, c_1);
-    metal::float2 turned = ((s_4 <= 0.0) & (s_4 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(
+    Angle u,
+    metal::float2 t
 ) {
-    float s_5 = u_2.half_sin - 0.0;
-    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, u_2.half_cos);
-    metal::float2 turned_1 = ((s_5 <= 0.0) & (s_5 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -176,78 +219,91 @@ Composite blend_alpha(
 }
 
 Composite blend_shade(
-    Composite below_1,
-    Color color_1,
-    float tone_1,
-    float opacity_1,
-    bool clamped_1
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::min(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1)) - below_1.xyz)), 1.0), metal::float4(1.0));
+    return metal::min(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(1.0));
 }
 
-Composite blend_shade_2_(
-    Composite below_2,
-    Color color_2,
-    float tone_2,
-    float opacity_2,
-    bool clamped_2
+Composite blend_shade_2(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz * metal::mix(metal::float3(1.0), color_2.xyz, tone_2)) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_3,
-    float tone_3
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_4,
-    float tone_4
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(
+    Light light,
+    Color color,
+    float tone
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4(light_1.color * split_1.y, 1.0), tone_4 * split_1.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(light.color * split.y, 1.0), tone * split.x};
 }
 
-LitLayer light_apply_3_(
-    Light light_2,
-    Color color_5,
-    float tone_5
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_3(
+    Light light,
+    Color color,
+    float tone
 ) {
-    metal::float2 split_2 = metal::float2(metal::min(light_2.intensity, 1.0), metal::max(light_2.intensity, 1.0));
-    return LitLayer {metal::float4((color_5.xyz * light_2.color) * split_2.y, 1.0), tone_5 * split_2.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_3,
+    Light light,
     metal::float3 normal
 ) {
-    metal::float3 _e6 = normalize_quick(normal, metal::float3(0.0, 0.0, 1.0));
-    return Angle {0.5 * metal::length(_e6 - light_3.direction), 0.5 * metal::length(_e6 + light_3.direction)};
+    metal::float3 d = normalize_quick(normal, metal::float3(0.0, 0.0, 1.0));
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_4,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
-    return Angle {0.5 * metal::length(d - light_4.direction), 0.5 * metal::length(d + light_4.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
 Angle parametrization_screen_aligned_balanced(
-    Light light_5,
-    metal::float3 normal_2,
+    Light light,
+    metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 d_1 = camera_from_world * normal_2;
-    return Angle {0.5 * metal::length(d_1 - light_5.own_direction), 0.5 * metal::length(d_1 + light_5.own_direction)};
+    metal::float3 d = camera_from_world * normal;
+    return Angle {0.5 * metal::length(d - light.own_direction), 0.5 * metal::length(d + light.own_direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -256,134 +312,124 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_ramp_quick_2_(
-    float s_2,
-    float w_1,
-    ProfileShape shape_2
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width_1 = metal::sqrt(w_1 * w_1);
-    float from_offset_1 = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((0.0 - from_offset_1) / metal::max(width_1, 0.000001)), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width = metal::sqrt(w * w);
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_3,
-    float w_2,
-    ProfileShape shape_3
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_2;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
-    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset), _e14, shape_5);
-    return _e15;
+    Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_6
+float profile_balanced_3(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_6.half_cos_offset) - (_e6.half_cos * shape_6.half_sin_offset), _e14, shape_6);
-    return _e15;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 place_1 = surface.position_object;
-    metal::float3 from_the_face_s_middle = place_1 - metal::float3(0.0, 0.52, -0.18);
+    metal::float3 place = surface.position_object;
+    metal::float3 from_the_face_s_middle = place - metal::float3(0.0, 0.52, -0.18);
     metal::float3 flattened = from_the_face_s_middle * metal::float3(1.0, 0.35, 1.0);
-    metal::float3 _e14 = normalize_or(flattened, metal::float3(0.0));
+    metal::float3 face_direction = normalize_or(flattened, metal::float3(0.0));
     VectorParts high = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
     float is_face = metal::smoothstep(0.02, 0.16, high.y);
-    metal::float3 face_or_body = metal::mix(surface.normal, _e14, is_face);
+    metal::float3 face_or_body = metal::mix(surface.normal, face_direction, is_face);
     metal::float3 shading_direction = face_or_body * metal::rsqrt(metal::max(metal::dot(face_or_body, face_or_body), 0.000000000000000000000000000001));
-    Light _e32 = look.key;
-    Angle _e33 = parametrization_diffuse_balanced(_e32, shading_direction);
-    float _e36 = profile_balanced(_e33, 0.0, edge_of_the_shadow_shape);
-    float soft_dark = 1.0 - _e36;
-    Composite _e51 = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0), metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
-    float _e54 = profile_balanced_2_(_e33, 0.0, lit_shape);
-    float in_shadow = 1.0 - _e54;
-    Composite _e64 = blend_shade_2_(_e51, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    float _e67 = transition_balanced(surface.kappa, 0.55);
-    Color _e75 = curvature_color(_e67, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e78 = look.eye;
-    LitLayer _e80 = light_apply(_e78, _e75, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e64.xyz + (0.9 * ((_e64.xyz * (_e80.tone * _e80.color.xyz)) - _e64.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e102 = look.key;
-    Angle _e105 = parametrization_specular_balanced(_e102, surface.normal, surface.view);
-    float _e108 = transition_balanced(surface.kappa, 0.2);
-    float shine_warp = ((2.0 * _e108) - 1.0) * 0.05;
-    float _e116 = profile_balanced_3_(_e105, shine_warp, shine_tone_shape);
-    Light _e119 = look.key;
-    LitLayer _e122 = light_apply_2_(_e119, metal::float4(1.0), _e116);
-    Composite _e127 = blend_alpha(inked_hollows_blend, _e122.color, _e122.tone, 0.85, true);
-    metal::float3 _e132 = look.back.direction;
-    metal::float3 _e141 = look.back.direction;
-    Angle rim_light_angle = Angle {0.5 * metal::length(surface.normal - _e132), 0.5 * metal::length(surface.normal + _e141)};
-    float rim_light_warp = ((2.0 * _e108) - 1.0) * 0.15;
-    float _e154 = profile_balanced_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    Light _e157 = look.back;
-    LitLayer _e163 = light_apply_3_(_e157, metal::float4(1.0, 0.9647, 0.9176, 1.0), _e154);
-    Composite _e168 = blend_alpha(_e127, _e163.color, _e163.tone, 0.9, true);
-    Light _e171 = look.eye;
-    metal::float3x3 _e175 = look.camera_from_world;
-    Angle _e176 = parametrization_screen_aligned_balanced(_e171, surface.normal, _e175);
-    float _e179 = transition_balanced(surface.kappa, 0.12);
-    float contour_warp = ((2.0 * _e179) - 1.0) * 0.28;
-    float _e187 = profile_balanced_3_(_e176, contour_warp, contour_tone_shape);
-    Light _e190 = look.eye;
-    LitLayer _e193 = light_apply_2_(_e190, metal::float4(1.0), _e187);
-    metal::float4 contour_blend = metal::clamp(metal::float4(_e168.xyz * (_e193.tone * _e193.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Angle from_the_light = parametrization_diffuse_balanced(look.key, shading_direction);
+    float edge_of_the_shadow = profile_balanced(from_the_light, 0.0, edge_of_the_shadow_shape);
+    float soft_dark = 1.0 - edge_of_the_shadow;
+    Composite warm_edge = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0), metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    float lit = profile_balanced_2(from_the_light, 0.0, lit_shape);
+    float in_shadow = 1.0 - lit;
+    Composite shadow = blend_shade_2(warm_edge, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    float inked_hollows_convexity = transition_balanced(surface.kappa, 0.55);
+    Color inked_hollows_color = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
+    LitLayer inked_hollows_lit = light_apply(look.eye, inked_hollows_color, 1.0);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(shadow.xyz + (0.9 * ((shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz)) - shadow.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Angle shine_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float rim_light_convexity = transition_balanced(surface.kappa, 0.2);
+    float shine_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.05;
+    float shine_tone = profile_balanced_3(shine_angle, shine_warp, shine_tone_shape);
+    LitLayer shine_lit = light_apply_2(look.key, metal::float4(1.0), shine_tone);
+    Composite shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85, true);
+    Angle rim_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
+    float rim_light_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.15;
+    float rim_light_tone = profile_balanced_3(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    LitLayer rim_light_lit = light_apply_3(look.back, metal::float4(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
+    Composite rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9, true);
+    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
+    float contour_warp = ((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.28;
+    float contour_tone = profile_balanced_3(contour_angle, contour_warp, contour_tone_shape);
+    LitLayer contour_lit = light_apply_2(look.eye, metal::float4(1.0), contour_tone);
+    metal::float4 contour_blend = metal::clamp(metal::float4(rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return contour_blend;
 }
 
@@ -399,15 +445,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -428,17 +471,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x};
-    metal::float4 _e27 = shade(surface_1, look);
-    return fs_mainOutput { _e27 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

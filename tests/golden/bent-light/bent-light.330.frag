@@ -6,14 +6,21 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light eye;
@@ -22,33 +29,51 @@ struct Look {
     vec3 axes_of_the_light_x_axis;
     vec3 axes_of_the_light_y_axis;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec3 position_object;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     vec3 direction;
     vec3 x_axis;
     vec3 y_axis;
+    /// The direction's cosines with the two axes.
     vec2 place;
 };
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     vec3 x_axis;
+    /// Unit, upright.
     vec3 y_axis;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -71,30 +96,39 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_1.half_cos));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
@@ -102,146 +136,142 @@ float bounded(float x) {
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_1, float low, float high) {
-    float _e3 = bounded(x_1);
-    float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_2) {
-    float _e1 = dFdx(x_2);
-    float _e2 = dFdy(x_2);
-    vec2 d_1 = vec2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-float footprint_of_vec3_(vec3 v_2) {
-    vec3 dx_1 = dFdx(v_2);
-    vec3 dy_1 = dFdy(v_2);
-    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
     vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
     return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
-    vec3 _e13 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
+    vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
-    float square_1 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e28, cross(toward, _e28), toward);
+    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(x, cross(toward, x), toward);
 }
 
-AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_1, up_1);
-    return AxesAround(_e2[0], _e2[1]);
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
+AxesAround axes(vec3 direction, vec3 up) {
+    mat3x3 axes_2 = axes_around(direction, up);
+    return AxesAround(axes_2[0], axes_2[1]);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
-    float width_2 = sqrt((w_1 * w_1));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_2, ProfileShape shape_3) {
-    vec2 place = vec2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_2);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_3 = uvec3(0u);
-    v_3 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_3;
-    uvec3 _e32 = v_3;
-    v_3 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_3;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
     float a = ((axis == 0u) ? d.y : d.x);
@@ -249,207 +279,161 @@ float gradient_dot(uvec3 hash, vec3 d) {
     return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_1) {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+vec3 fade_quintic(vec3 t) {
+    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
-float perlin_noise(vec3 p, uint seed_2) {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d_2 = (p - corner);
-    vec3 _e4 = fade_quintic(d_2);
-    ivec3 cell_1 = ivec3(corner);
+    vec3 d = (p - corner);
+    vec3 f = fade_quintic(d);
+    ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e46 = i;
-            i = (_e46 + 1);
+            i = (i + 1);
         }
         loop_init = false;
-        int _e10 = i;
-        if ((_e10 < 8)) {
+        if ((i < 8)) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            ivec3 at = ivec3((_e13 & 1), ((_e16 >> 1u) & 1), (_e21 >> 2u));
-            vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at, ivec3(1)));
-            float _e32 = sum;
-            uvec3 _e39 = lattice_hash((cell_1 + at), seed_2);
-            float _e42 = gradient_dot(_e39, (d_2 - vec3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)))));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_3) {
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i_1 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
-    bool loop_init_1 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            int _e66 = i_1;
-            i_1 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_1 = false;
-        int _e17 = i_1;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_1;
-            vec3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_1;
-            float _e50 = perlin_noise(place_1, (1u + uint(_e47)));
-            octave = mix(0.5, _e50, visible);
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (1u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
-float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, int seed_4, float w_4) {
-    float octave_1 = 0.0;
-    int i_2 = 0;
-    float frequency_1 = 1.0;
-    float strength_1 = 1.0;
-    float total_1 = 0.0;
-    float sum_2 = 0.0;
-    bool loop_init_2 = true;
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
+    float octave = 0.0;
+    int i = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_2) {
-            int _e66 = i_2;
-            i_2 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_2 = false;
-        int _e17 = i_2;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency_1;
-        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
-        float visible_1 = (1.0 - _e25);
-        octave_1 = 0.5;
-        if ((visible_1 > 0.0)) {
-            float _e31 = frequency_1;
-            int _e33 = i_2;
-            vec3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_2;
-            float _e50 = perlin_noise(place_2, (5u + uint(_e47)));
-            octave_1 = mix(0.5, _e50, visible_1);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        octave = 0.5;
+        if ((visible > 0.0)) {
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (5u + uint(i))), visible);
         }
-        float _e53 = sum_2;
-        float _e54 = strength_1;
-        float _e55 = octave_1;
-        sum_2 = (_e53 + (_e54 * _e55));
-        float _e58 = total_1;
-        float _e59 = strength_1;
-        total_1 = (_e58 + _e59);
-        float _e61 = strength_1;
-        strength_1 = (_e61 * roughness_1);
-        float _e63 = frequency_1;
-        frequency_1 = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_2;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
     float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float _e15 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e15), 1e-6));
+    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-float noise_perlin(vec3 position, float scale, int octaves_2, float roughness_2, int seed_5) {
-    vec3 p_3 = (position * scale);
-    float _e7 = footprint_of_vec3_(p_3);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
-    return _e8;
+float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-float noise_perlin_2_(vec3 position_1, float scale_1, int octaves_3, float roughness_3, int seed_6) {
-    vec3 p_4 = (position_1 * scale_1);
-    float _e7 = footprint_of_vec3_(p_4);
-    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
-    return _e8;
+float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 place_3 = surface.position_object;
-    float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
-    float across_1 = mix(-0.22, 0.22, (_e6 - 0.0));
-    float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
-    float upright = mix(-0.22, 0.22, (_e16 - 0.0));
-    vec3 _e24 = u_look.parts_direction;
-    vec3 _e27 = u_look.axes_of_the_light_x_axis;
-    vec3 _e30 = u_look.axes_of_the_light_y_axis;
-    DirectionParts _e31 = direction_within(_e24, _e27, _e30);
-    vec3 _e33 = direction_moved(_e31, vec2(across_1, upright));
-    vec3 _e37 = u_look.key.own_direction;
-    vec3 _e41 = u_look.key.color;
-    float _e45 = u_look.key.intensity;
-    Light bent_light = Light(_e33, _e37, _e41, _e45);
+    vec3 place = surface.position_object;
+    float waver_across = noise_perlin(place, 3.5, 2, 0.5, 1);
+    float across = mix(-0.22, 0.22, (waver_across - 0.0));
+    float waver_upright = noise_perlin_2(place, 3.5, 2, 0.5, 5);
+    float upright = mix(-0.22, 0.22, (waver_upright - 0.0));
+    DirectionParts direction_within_value = direction_within(u_look.parts_direction, u_look.axes_of_the_light_x_axis, u_look.axes_of_the_light_y_axis);
+    vec3 bend = direction_moved(direction_within_value, vec2(across, upright));
+    Light bent_light = Light(bend, u_look.key.own_direction, u_look.key.color, u_look.key.intensity);
     Angle turned_from_it = Angle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
-    float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
-    vec4 _e75 = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    vec4 brightest_light = min(vec4((_e75.xyz + (_e78 * (vec3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), vec4(1.0));
-    vec3 view_2_ = surface.view;
-    AxesAround _e98 = axes(view_2_, vec3(0.0, 1.0, 0.0));
-    DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
-    vec3 _e105 = direction_moved(_e101, vec2(-0.32, 0.36));
-    vec3 _e109 = u_look.eye.own_direction;
-    vec3 _e113 = u_look.eye.color;
-    float _e117 = u_look.eye.intensity;
-    Light locked_to_the_eye = Light(_e105, _e109, _e113, _e117);
+    float lit = profile_balanced(turned_from_it, 0.0, lit_shape);
+    vec4 light = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
+    float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
+    vec4 brightest_light = min(vec4((light.xyz + (brightest * (vec3(0.6627, 0.8392, 0.7569) - light.xyz))), 1.0), vec4(1.0));
+    vec3 view_2 = surface.view;
+    AxesAround axes_of_the_view = axes(view_2, vec3(0.0, 1.0, 0.0));
+    vec3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), vec2(-0.32, 0.36));
+    Light locked_to_the_eye = Light(up_and_left_of_the_eye, u_look.eye.own_direction, u_look.eye.color, u_look.eye.intensity);
     Angle turned_from_the_eye = Angle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
-    float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
-    vec4 window_on_top = clamp(vec4((brightest_light.xyz + (_e134 * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    vec2 _e156 = u_look.viewport;
-    float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
-    vec4 outline = clamp(vec4((window_on_top.xyz + (_e157 * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
+    vec4 window_on_top = clamp(vec4((brightest_light.xyz + (window * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float line = outer_contour(3.0, surface.normal, surface.view, u_look.viewport);
+    vec4 outline = clamp(vec4((window_on_top.xyz + (line * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return outline;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
-    vec4 _e20 = shade(surface_1);
-    out_color = _e20;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object);
+    out_color = shade(surface);
     return;
 }
 

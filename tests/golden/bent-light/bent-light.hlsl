@@ -1,34 +1,41 @@
 // Light that wavers: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // bent-light.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     float2 viewport;
     int _pad1_0;
@@ -43,6 +50,7 @@ struct Look {
     int _end_pad_0;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -52,38 +60,55 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     float3 direction;
     int _pad1_0;
     float3 x_axis;
     int _pad2_0;
     float3 y_axis;
     int _pad3_0;
+    /// The direction's cosines with the two axes.
     float2 place;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     float3 x_axis;
     int _pad1_0;
+    /// Unit, upright.
     float3 y_axis;
     int _end_pad_0;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -99,25 +124,12 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const uint NOISE_PERLIN = 1u;
-static const ProfileShape lit_shape = ConstructProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
-static const ProfileShape brightest_shape = ConstructProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
-static const ProfileShape window_shape = ConstructProfileShape(0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u);
+static const ProfileShape lit_shape = {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u};
+static const ProfileShape brightest_shape = {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
+static const ProfileShape window_shape = {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -136,24 +148,30 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -163,15 +181,18 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_3 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_3, u_1.half_cos));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x)
 {
     uint bits = asuint(x);
@@ -180,28 +201,28 @@ float bounded(float x)
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_1, float low, float high)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high)
 {
-    const float _e3 = bounded(x_1);
-    const float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d_1 = float2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+    float2 d = float2(ddx(x), ddy(x));
+    return sqrt(dot(d, d));
 }
 
-float footprint_of_vec3_(float3 v_2)
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(float3 v)
 {
-    float3 dx_1 = ddx(v_2);
-    float3 dy_1 = ddy(v_2);
-    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+    float3 dx = ddx(v);
+    float3 dy = ddy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -213,6 +234,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
     float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
@@ -220,21 +243,24 @@ DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
     return directionparts;
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
     float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
-    const float3 _e13 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
+    const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
-    float square_1 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_1 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e28, cross(toward, _e28), toward);
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(toward, x), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -244,10 +270,15 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_1, float3 up_1)
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
+AxesAround axes(float3 direction, float3 up)
 {
-    const float3x3 _e2 = axes_around(direction_1, up_1);
-    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
+    const float3x3 axes_2 = axes_around(direction, up);
+    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
     return axesaround;
 }
 
@@ -256,109 +287,95 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_2 = sqrt((w_1 * w_1));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_2);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_3 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_3;
-    uint3 _e32 = v_3;
-    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_3;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
-uint3 lattice_hash(int3 cell, uint seed_1)
+/// The hash of a lattice point.
+uint3 lattice_hash(int3 cell, uint seed)
 {
-    const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
@@ -367,181 +384,140 @@ float gradient_dot(uint3 hash, float3 d)
     return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float3 fade_quintic(float3 t_1)
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+float3 fade_quintic(float3 t)
 {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float perlin_noise(float3 p, uint seed_2)
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d_2 = (p - corner);
-    const float3 _e4 = fade_quintic(d_2);
-    int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    float3 d = (p - corner);
+    const float3 f = fade_quintic(d);
+    int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e46 = i;
-            i = asint(asuint(_e46) + asuint(int(1)));
+            i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        int _e10 = i;
-        if ((_e10 < int(8))) {
+        if ((i < int(8))) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            int3 at = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_2 - float3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_3)
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i_1 = int(0);
+    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
+    float sum = 0.0;
 
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e66 = i_1;
-            i_1 = asint(asuint(_e66) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e17 = i_1;
-        if (!((_e17 < int(2)))) {
+        loop_init = false;
+        if (!((i < int(2)))) {
             break;
         }
-        float _e21 = frequency;
-        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_1;
-            float3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            int _e47 = i_1;
-            const float _e50 = perlin_noise(place_1, (1u + uint(_e47)));
-            octave = lerp(0.5, _e50, visible);
+            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, (1u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
-float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1, int seed_4, float w_4)
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
-    float octave_1 = (float)0;
-    int i_2 = int(0);
-    float frequency_1 = 1.0;
-    float strength_1 = 1.0;
-    float total_1 = 0.0;
-    float sum_2 = 0.0;
+    float octave = (float)0;
+    int i = int(0);
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
 
-    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
-    bool loop_init_2 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e66 = i_2;
-            i_2 = asint(asuint(_e66) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_2 = false;
-        int _e17 = i_2;
-        if (!((_e17 < int(2)))) {
+        loop_init = false;
+        if (!((i < int(2)))) {
             break;
         }
-        float _e21 = frequency_1;
-        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
-        float visible_1 = (1.0 - _e25);
-        octave_1 = 0.5;
-        if ((visible_1 > 0.0)) {
-            float _e31 = frequency_1;
-            int _e33 = i_2;
-            float3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            int _e47 = i_2;
-            const float _e50 = perlin_noise(place_2, (5u + uint(_e47)));
-            octave_1 = lerp(0.5, _e50, visible_1);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        octave = 0.5;
+        if ((visible > 0.0)) {
+            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, (5u + uint(i))), visible);
         }
-        float _e53 = sum_2;
-        float _e54 = strength_1;
-        float _e55 = octave_1;
-        sum_2 = (_e53 + (_e54 * _e55));
-        float _e58 = total_1;
-        float _e59 = strength_1;
-        total_1 = (_e58 + _e59);
-        float _e61 = strength_1;
-        strength_1 = (_e61 * roughness_1);
-        float _e63 = frequency_1;
-        frequency_1 = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_2;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
     float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    const float _e15 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e15), 1e-6));
+    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-float noise_perlin(float3 position, float scale, int octaves_2, float roughness_2, int seed_5)
+float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p_3 = (position * scale);
-    const float _e7 = footprint_of_vec3_(p_3);
-    const float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
-    return _e8;
+    float3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-float noise_perlin_2_(float3 position_1, float scale_1, int octaves_3, float roughness_3, int seed_6)
+float noise_perlin_2(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p_4 = (position_1 * scale_1);
-    const float _e7 = footprint_of_vec3_(p_4);
-    const float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
-    return _e8;
+    float3 p = (position * scale);
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
@@ -553,41 +529,31 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
     return ret;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 place_3 = surface.position_object;
-    const float _e6 = noise_perlin(place_3, 3.5, int(2), 0.5, int(1));
-    float across_1 = lerp(-0.22, 0.22, (_e6 - 0.0));
-    const float _e16 = noise_perlin_2_(place_3, 3.5, int(2), 0.5, int(5));
-    float upright = lerp(-0.22, 0.22, (_e16 - 0.0));
-    float3 _e24 = look.parts_direction;
-    float3 _e27 = look.axes_of_the_light_x_axis;
-    float3 _e30 = look.axes_of_the_light_y_axis;
-    const DirectionParts _e31 = direction_within(_e24, _e27, _e30);
-    const float3 _e33 = direction_moved(_e31, float2(across_1, upright));
-    float3 _e37 = look.key.own_direction;
-    float3 _e41 = look.key.color;
-    float _e45 = look.key.intensity;
-    Light bent_light = ConstructLight(_e33, _e37, _e41, _e45);
+    float3 place = surface.position_object;
+    const float waver_across = noise_perlin(place, 3.5, int(2), 0.5, int(1));
+    float across = lerp(-0.22, 0.22, (waver_across - 0.0));
+    const float waver_upright = noise_perlin_2(place, 3.5, int(2), 0.5, int(5));
+    float upright = lerp(-0.22, 0.22, (waver_upright - 0.0));
+    const DirectionParts direction_within_value = direction_within(look.parts_direction, look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    const float3 bend = direction_moved(direction_within_value, float2(across, upright));
+    Light bent_light = ConstructLight(bend, look.key.own_direction, look.key.color, look.key.intensity);
     Angle turned_from_it = ConstructAngle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
-    const float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
-    const float4 _e75 = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0), float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    const float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    float4 brightest_light = min(float4((_e75.xyz + (_e78 * (float3(0.6627, 0.8392, 0.7569) - _e75.xyz))), 1.0), (1.0).xxxx);
-    float3 view_2_ = surface.view;
-    const AxesAround _e98 = axes(view_2_, float3(0.0, 1.0, 0.0));
-    const DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
-    const float3 _e105 = direction_moved(_e101, float2(-0.32, 0.36));
-    float3 _e109 = look.eye.own_direction;
-    float3 _e113 = look.eye.color;
-    float _e117 = look.eye.intensity;
-    Light locked_to_the_eye = ConstructLight(_e105, _e109, _e113, _e117);
+    const float lit_ = profile_balanced(turned_from_it, 0.0, lit_shape);
+    const float4 light = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0), float4(0.3098, 0.5608, 0.6118, 1.0), lit_, 1.0, true);
+    const float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
+    float4 brightest_light = min(float4((light.xyz + (brightest * (float3(0.6627, 0.8392, 0.7569) - light.xyz))), 1.0), (1.0).xxxx);
+    float3 view_2 = surface.view;
+    const AxesAround axes_of_the_view = axes(view_2, float3(0.0, 1.0, 0.0));
+    const float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), float2(-0.32, 0.36));
+    Light locked_to_the_eye = ConstructLight(up_and_left_of_the_eye, look.eye.own_direction, look.eye.color, look.eye.intensity);
     Angle turned_from_the_eye = ConstructAngle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
-    const float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
-    float4 window_on_top = clamp(float4((brightest_light.xyz + (_e134 * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float2 _e156 = look.viewport;
-    const float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
-    float4 outline = clamp(float4((window_on_top.xyz + (_e157 * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
+    float4 window_on_top = clamp(float4((brightest_light.xyz + (window * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float line_ = outer_contour(3.0, surface.normal, surface.view, look.viewport);
+    float4 outline = clamp(float4((window_on_top.xyz + (line_ * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return outline;
 }
 
@@ -602,11 +568,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e16 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -623,11 +586,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object);
-    const float4 _e20 = shade(surface_1);
-    return _e20;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object);
+    return shade(surface);
 }

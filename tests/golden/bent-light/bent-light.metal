@@ -1,6 +1,6 @@
 // Light that wavers: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // bent-light.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,21 +13,28 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
@@ -37,6 +44,7 @@ struct Look {
     metal::float3 axes_of_the_light_x_axis;
     metal::float3 axes_of_the_light_y_axis;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -44,29 +52,46 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     metal::float3 direction;
     metal::float3 x_axis;
     metal::float3 y_axis;
+    /// The direction's cosines with the two axes.
     metal::float2 place;
     char _pad4[8];
 };
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     metal::float3 x_axis;
+    /// Unit, upright.
     metal::float3 y_axis;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -84,6 +109,8 @@ constant ProfileShape lit_shape = ProfileShape {0.8253356, 0.5646425, 25.006668,
 constant ProfileShape brightest_shape = ProfileShape {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
 constant ProfileShape window_shape = ProfileShape {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u};
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -92,32 +119,39 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_3 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, u_1.half_cos);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
     float x
 ) {
@@ -127,35 +161,37 @@ float bounded(
     return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_1,
+    float x,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_1);
-    float _e7 = bounded((_e3 - low) / 0.5);
-    float t_2 = metal::clamp(_e7, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_1, d_1));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
-float footprint_of_vec3_(
-    metal::float3 v_2
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(
+    metal::float3 v
 ) {
-    metal::float3 dx_1 = metal::dfdx(v_2);
-    metal::float3 dy_1 = metal::dfdy(v_2);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
-    return _e7;
+    metal::float3 dx = metal::dfdx(v);
+    metal::float3 dy = metal::dfdy(v);
+    return bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(
     metal::float3 direction,
     metal::float3 x_axis,
@@ -165,33 +201,41 @@ DirectionParts direction_within(
     return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
     metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
-    metal::float3 _e13 = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e13 : parts.direction;
+    metal::float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? normalize_moderate_value : parts.direction;
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
     metal::float3 leaning = metal::cross(up, toward);
-    float square_1 = metal::dot(leaning, leaning);
+    float square = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_1 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
+    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
 AxesAround axes(
-    metal::float3 direction_1,
-    metal::float3 up_1
+    metal::float3 direction,
+    metal::float3 up
 ) {
-    metal::float3x3 _e2 = axes_around(direction_1, up_1);
-    return AxesAround {_e2[0], _e2[1]};
+    metal::float3x3 axes_2 = axes_around(direction, up);
+    return AxesAround {axes_2[0], axes_2[1]};
 }
 
 Composite blend_alpha(
@@ -204,6 +248,7 @@ Composite blend_alpha(
     return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -212,120 +257,105 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width_1 = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width_1), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_ramp_quick_2_(
-    float s_2,
-    float w_1,
-    ProfileShape shape_2
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width_2 = metal::sqrt(w_1 * w_1);
-    float from_offset_1 = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((0.0 - from_offset_1) / metal::max(width_2, 0.000001)), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width = metal::sqrt(w * w);
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_2,
-    ProfileShape shape_3
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset), (u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_2;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e56 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_3);
-    float _e64 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick_2_((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset), _e14, shape_5);
-    return _e15;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_3 = {};
-    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_3;
-    metal::uint3 _e32 = v_3;
-    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_3;
-    return _e61;
+    metal::uint3 v = {};
+    v = (seed * 1664525u) + metal::uint3(1013904223u);
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    v = v ^ (v >> metal::uint3(16u));
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    return v;
 }
 
+/// The hash of a lattice point.
 metal::uint3 lattice_hash(
     metal::int3 cell,
-    uint seed_1
+    uint seed
 ) {
-    metal::uint3 _e9 = hash_pcg3d(as_type<metal::uint3>(cell) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    return _e9;
+    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(
     metal::uint3 hash,
     metal::float3 d
@@ -336,169 +366,133 @@ float gradient_dot(
     return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
-    metal::float3 t_1
+    metal::float3 t
 ) {
-    return ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(
     metal::float3 p,
-    uint seed_2
+    uint seed
 ) {
     float sum = 0.0;
     int i = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_2 = p - corner;
-    metal::float3 _e4 = fade_quintic(d_2);
-    metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u);
+    metal::float3 d = p - corner;
+    metal::float3 f = fade_quintic(d);
+    metal::int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e46 = i;
-            i = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        int _e10 = i;
-        if (_e10 < 8) {
+        if (i < 8) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            metal::int3 at = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at == metal::int3(1));
-            float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at)), seed_2);
-            float _e42 = gradient_dot(_e39, d_2 - static_cast<metal::float3>(at));
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
+            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
+            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
         }
     }
-    float _e48 = sum;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
 }
 
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 float fractal_noise(
     uint kind,
-    metal::float3 p_1,
+    metal::float3 p,
     int octaves,
     float roughness,
-    int seed_3,
-    float w_3
+    int seed,
+    float w
 ) {
     float octave = {};
-    int i_1 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e66 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_1 = false;
-        int _e17 = i_1;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
-        float visible = 1.0 - _e25;
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            float _e31 = frequency;
-            int _e33 = i_1;
-            metal::float3 place_1 = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_1;
-            float _e50 = perlin_noise(place_1, 1u + static_cast<uint>(_e47));
-            octave = metal::mix(0.5, _e50, visible);
+            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            octave = metal::mix(0.5, perlin_noise(place, 1u + static_cast<uint>(i)), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = _e53 + (_e54 * _e55);
-        float _e58 = total;
-        float _e59 = strength;
-        total = _e58 + _e59;
-        float _e61 = strength;
-        strength = _e61 * roughness;
-        float _e63 = frequency;
-        frequency = _e63 * 2.0;
+        sum = sum + (strength * octave);
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    float _e69 = sum_1;
-    return metal::min(_e69 / 1.5, 1.0);
+    return metal::min(sum / 1.5, 1.0);
 }
 
-float fractal_noise_2_(
-    uint kind_1,
-    metal::float3 p_2,
-    int octaves_1,
-    float roughness_1,
-    int seed_4,
-    float w_4
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise_2(
+    uint kind,
+    metal::float3 p,
+    int octaves,
+    float roughness,
+    int seed,
+    float w
 ) {
-    float octave_1 = {};
-    int i_2 = 0;
-    float frequency_1 = 1.0;
-    float strength_1 = 1.0;
-    float total_1 = 0.0;
-    float sum_2 = 0.0;
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    float octave = {};
+    int i = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e66 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e17 = i_2;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency_1;
-        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
-        float visible_1 = 1.0 - _e25;
-        octave_1 = 0.5;
-        if (visible_1 > 0.0) {
-            float _e31 = frequency_1;
-            int _e33 = i_2;
-            metal::float3 place_2 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_2;
-            float _e50 = perlin_noise(place_2, 5u + static_cast<uint>(_e47));
-            octave_1 = metal::mix(0.5, _e50, visible_1);
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
+        octave = 0.5;
+        if (visible > 0.0) {
+            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            octave = metal::mix(0.5, perlin_noise(place, 5u + static_cast<uint>(i)), visible);
         }
-        float _e53 = sum_2;
-        float _e54 = strength_1;
-        float _e55 = octave_1;
-        sum_2 = _e53 + (_e54 * _e55);
-        float _e58 = total_1;
-        float _e59 = strength_1;
-        total_1 = _e58 + _e59;
-        float _e61 = strength_1;
-        strength_1 = _e61 * roughness_1;
-        float _e63 = frequency_1;
-        frequency_1 = _e63 * 2.0;
+        sum = sum + (strength * octave);
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    float _e69 = sum_2;
-    return metal::min(_e69 / 1.5, 1.0);
+    return metal::min(sum / 1.5, 1.0);
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(
     float width,
     metal::float3 normal,
@@ -507,8 +501,7 @@ float outer_contour(
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
     float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
-    float _e15 = footprint_of(facing);
-    float distance = facing / metal::max(2.0 * _e15, 0.000001);
+    float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
     return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
@@ -516,66 +509,52 @@ float outer_contour(
 float noise_perlin(
     metal::float3 position,
     float scale,
-    int octaves_2,
-    float roughness_2,
-    int seed_5
+    int octaves,
+    float roughness,
+    int seed
 ) {
-    metal::float3 p_3 = position * scale;
-    float _e7 = footprint_of_vec3_(p_3);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
-    return _e8;
+    metal::float3 p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-float noise_perlin_2_(
-    metal::float3 position_1,
-    float scale_1,
-    int octaves_3,
-    float roughness_3,
-    int seed_6
+float noise_perlin_2(
+    metal::float3 position,
+    float scale,
+    int octaves,
+    float roughness,
+    int seed
 ) {
-    metal::float3 p_4 = position_1 * scale_1;
-    float _e7 = footprint_of_vec3_(p_4);
-    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
-    return _e8;
+    metal::float3 p = position * scale;
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 place_3 = surface.position_object;
-    float _e6 = noise_perlin(place_3, 3.5, 2, 0.5, 1);
-    float across_1 = metal::mix(-0.22, 0.22, _e6 - 0.0);
-    float _e16 = noise_perlin_2_(place_3, 3.5, 2, 0.5, 5);
-    float upright = metal::mix(-0.22, 0.22, _e16 - 0.0);
-    metal::float3 _e24 = look.parts_direction;
-    metal::float3 _e27 = look.axes_of_the_light_x_axis;
-    metal::float3 _e30 = look.axes_of_the_light_y_axis;
-    DirectionParts _e31 = direction_within(_e24, _e27, _e30);
-    metal::float3 _e33 = direction_moved(_e31, metal::float2(across_1, upright));
-    metal::float3 _e37 = look.key.own_direction;
-    metal::float3 _e41 = look.key.color;
-    float _e45 = look.key.intensity;
-    Light bent_light = Light {_e33, _e37, _e41, _e45};
+    metal::float3 place = surface.position_object;
+    float waver_across = noise_perlin(place, 3.5, 2, 0.5, 1);
+    float across = metal::mix(-0.22, 0.22, waver_across - 0.0);
+    float waver_upright = noise_perlin_2(place, 3.5, 2, 0.5, 5);
+    float upright = metal::mix(-0.22, 0.22, waver_upright - 0.0);
+    DirectionParts direction_within_value = direction_within(look.parts_direction, look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    metal::float3 bend = direction_moved(direction_within_value, metal::float2(across, upright));
+    Light bent_light = Light {bend, look.key.own_direction, metal::float3(look.key.color), look.key.intensity};
     Angle turned_from_it = Angle {0.5 * metal::length(surface.normal - bent_light.direction), 0.5 * metal::length(surface.normal + bent_light.direction)};
-    float _e62 = profile_balanced(turned_from_it, 0.0, lit_shape);
-    Composite _e75 = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0), metal::float4(0.3098, 0.5608, 0.6118, 1.0), _e62, 1.0, true);
-    float _e78 = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    metal::float4 brightest_light = metal::min(metal::float4(_e75.xyz + (_e78 * (metal::float3(0.6627, 0.8392, 0.7569) - _e75.xyz)), 1.0), metal::float4(1.0));
-    metal::float3 view_2_ = surface.view;
-    AxesAround _e98 = axes(view_2_, metal::float3(0.0, 1.0, 0.0));
-    DirectionParts _e101 = direction_within(view_2_, _e98.x_axis, _e98.y_axis);
-    metal::float3 _e105 = direction_moved(_e101, metal::float2(-0.32, 0.36));
-    metal::float3 _e109 = look.eye.own_direction;
-    metal::float3 _e113 = look.eye.color;
-    float _e117 = look.eye.intensity;
-    Light locked_to_the_eye = Light {_e105, _e109, _e113, _e117};
+    float lit = profile_balanced(turned_from_it, 0.0, lit_shape);
+    Composite light = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0), metal::float4(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
+    float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
+    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + (brightest * (metal::float3(0.6627, 0.8392, 0.7569) - light.xyz)), 1.0), metal::float4(1.0));
+    metal::float3 view_2 = surface.view;
+    AxesAround axes_of_the_view = axes(view_2, metal::float3(0.0, 1.0, 0.0));
+    metal::float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), metal::float2(-0.32, 0.36));
+    Light locked_to_the_eye = Light {up_and_left_of_the_eye, look.eye.own_direction, metal::float3(look.eye.color), look.eye.intensity};
     Angle turned_from_the_eye = Angle {0.5 * metal::length(surface.normal - locked_to_the_eye.direction), 0.5 * metal::length(surface.normal + locked_to_the_eye.direction)};
-    float _e134 = profile_balanced_2_(turned_from_the_eye, 0.0, window_shape);
-    metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + (_e134 * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float2 _e156 = look.viewport;
-    float _e157 = outer_contour(3.0, surface.normal, surface.view, _e156);
-    metal::float4 outline = metal::clamp(metal::float4(window_on_top.xyz + (_e157 * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
+    metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + (window * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float line = outer_contour(3.0, surface.normal, surface.view, look.viewport);
+    metal::float4 outline = metal::clamp(metal::float4(window_on_top.xyz + (line * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return outline;
 }
 
@@ -591,15 +570,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -616,15 +592,12 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object};
-    metal::float4 _e20 = shade(surface_1, look);
-    return fs_mainOutput { _e20 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object};
+    return fs_mainOutput { shade(surface, look) };
 }

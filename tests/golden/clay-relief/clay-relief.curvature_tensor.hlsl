@@ -2,16 +2,23 @@
 // Finds curvature by direction from normals and depth.
 // Registers of space 0: surface t0, curvature b0.
 // clay-relief.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct Curvature {
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     float pixel;
+    /// 1 for perspective, 0 for parallel projection.
     float perspective;
+    /// Height of the picture, in pixels.
     float viewport_height;
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
+    /// the top.
     float rows_up;
+    /// Samples per pixel of the picture.
     float samples;
 };
 
+/// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
     int _pad1_0;
@@ -19,22 +26,31 @@ struct SeenPixel {
     float4 texel;
 };
 
+/// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
+/// of depth are along columns and rows of the image.
 struct Plane {
     float object;
     float depth;
+    /// Change of depth from a pixel to the next.
     float2 rise;
+    /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
     int _end_pad_0;
 };
 
+/// A pixel whose curvature is measured.
 struct Center {
     int2 at;
     float2 slope;
     Plane plane;
 };
 
+/// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
+/// row after it, and in the row before it.
 struct Ring {
+    /// Weighted changes of slope.x from the center.
     float4 x;
+    /// Weighted changes of slope.y from the center.
     float4 y;
     float4 weights;
 };
@@ -46,19 +62,42 @@ struct FragmentInput_fs_main {
     float4 position_1 : SV_Position;
 };
 
+/// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float4 surface_texel(float3 normal_1, float depth, float number)
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
 {
-    const float2 _e3 = slope_of(normal_1);
-    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
+/// The number of an object in texels, from 1 on.
+float object_number(float object)
+{
+    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+float facet_number(float object, float material, float id)
+{
+    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
+    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
+    return (object_number(object) + (parts / 4096.0));
+}
+
+/// The normal that a texel was made from.
 float3 normal_of(float4 texel)
 {
+    // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
+    // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     float2 aside = (0.2 * texel.xy);
     float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
     float nz = ((texel.w < 0.0) ? -(rest) : rest);
@@ -66,32 +105,35 @@ float3 normal_of(float4 texel)
     return ((nz >= 0.2) ? facing : float3(aside, nz));
 }
 
-float4 whole_picture(uint index_1)
+/// A triangle over the whole picture.
+float4 whole_picture(uint index)
 {
-    return float4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// A step in pixels: a share of the picture's height, so that a larger picture measures the same
+/// curvature, not a finer one.
 int step_pixels()
 {
-    float _e2 = curvature.viewport_height;
-    return max(naga_f2i32(round((_e2 / 800.0))), int(1));
+    return max(naga_f2i32(round((curvature.viewport_height / 800.0))), int(1));
 }
 
+/// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction()
 {
-    float _e2 = curvature.rows_up;
-    return ((_e2 > 0.5) ? 1.0 : -1.0);
+    return ((curvature.rows_up > 0.5) ? 1.0 : -1.0);
 }
 
-int2 around(int index_2)
+/// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
+int2 around(int index)
 {
-    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index_2 & int(1))))));
-    int2 straight = ((index_2 < int(2)) ? int2(side, int(0)) : int2(int(0), side));
-    return ((index_2 > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index_2 & int(2))))) : straight);
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
+    int2 straight = ((index < int(2)) ? int2(side, int(0)) : int2(int(0), side));
+    return ((index > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight);
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -108,51 +150,44 @@ uint2 NagaDimensions2D(Texture2D<float4> tex)
     return ret.xy;
 }
 
+/// The pixel whose surface a pixel has: its own, or that of a neighbor.
+///
+/// With several samples a pixel, a look also shades pixels whose middle the object just misses:
+/// they have the surface of the nearest of the eight pixels around that shows one.
 SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
     bool local = (bool)0;
-    int index_3 = (int)0;
+    int index = (int)0;
 
-    float4 _e3 = surface.Load(int3(pixel, int(0)));
-    seen = ConstructSeenPixel(pixel, _e3);
+    seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float _e14 = curvature.samples;
-    if ((_e14 >= 2.0)) {
-        float _e21 = seen.texel.w;
-        local = (_e21 == 0.0);
+    if ((curvature.samples >= 2.0)) {
+        local = (seen.texel.w == 0.0);
     } else {
         local = false;
     }
     bool may_be_missed = local;
-    index_3 = (may_be_missed ? int(7) : int(-1));
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    index = (may_be_missed ? int(7) : int(-1));
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e47 = index_3;
-            index_3 = asint(asuint(_e47) - asuint(int(1)));
+            index = asint(asuint(index) - asuint(int(1)));
         }
         loop_init = false;
-        int _e30 = index_3;
-        if ((_e30 >= int(0))) {
+        if ((index >= int(0))) {
         } else {
             break;
         }
         {
-            int _e33 = index_3;
-            const int2 _e34 = around(_e33);
-            int2 near = clamp(asint(asuint(pixel) + asuint(_e34)), (int(0)).xx, last);
-            float4 texel_1 = surface.Load(int3(near, int(0)));
-            if ((texel_1.w != 0.0)) {
-                seen = ConstructSeenPixel(near, texel_1);
+            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+            float4 texel = surface.Load(int3(near, int(0)));
+            if ((texel.w != 0.0)) {
+                seen = ConstructSeenPixel(near, texel);
             }
         }
     }
-    SeenPixel _e49 = seen;
-    const SeenPixel seenpixel = _e49;
+    const SeenPixel seenpixel = seen;
     return seenpixel;
 }
 
@@ -165,23 +200,24 @@ Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
     return ret;
 }
 
-Plane plane_of(float object, float depth_1, float3 normal_2)
+Plane plane_of(float object, float depth, float3 normal)
 {
-    float _e5 = curvature.pixel;
-    float _e8 = curvature.perspective;
-    float pixel_2 = (_e5 * lerp(1.0, depth_1, _e8));
-    float2 gradient = (normal_2.xy / (max(normal_2.z, 0.02)).xx);
-    const float _e19 = row_direction();
-    const Plane plane_1 = ConstructPlane(object, depth_1, ((pixel_2 * gradient) * float2(1.0, _e19)), ((2.0 * pixel_2) * (1.0 + length(gradient))));
+    float pixel = (curvature.pixel * lerp(1.0, depth, curvature.perspective));
+    float2 gradient = (normal.xy / (max(normal.z, 0.02)).xx);
+    const float row_direction_value = row_direction();
+    const Plane plane_1 = ConstructPlane(object, depth, ((pixel * gradient) * float2(1.0, row_direction_value)), ((2.0 * pixel) * (1.0 + length(gradient))));
     return plane_1;
 }
 
+/// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
+/// depths, and the rises of depth to them on the plane.
 float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
     float4 error = abs(((depths - (plane.depth).xxxx) - rises));
     float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
-    float4 weights_1 = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
-    return ((objects == (plane.object).xxxx) ? weights_1 : (0.0).xxxx);
+    // The weight fades, so that the last bit of a depth does not decide between all and nothing.
+    float4 weights = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
+    return ((objects == (plane.object).xxxx) ? weights : (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
@@ -192,13 +228,12 @@ Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
     return ret;
 }
 
-Center center_at(int2 pixel_1)
+/// The center for a pixel; its object is 0 where there is none.
+Center center_at(int2 pixel)
 {
-    const SeenPixel _e1 = seen_pixel(pixel_1);
-    float4 texel_2 = _e1.texel;
-    const float3 _e8 = normal_of(texel_2);
-    const Plane _e9 = plane_of(abs(texel_2.w), texel_2.z, _e8);
-    const Center center_2 = ConstructCenter(_e1.at, texel_2.xy, _e9);
+    const SeenPixel seen = seen_pixel(pixel);
+    float4 texel = seen.texel;
+    const Center center_2 = ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
     return center_2;
 }
 
@@ -210,73 +245,74 @@ Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
     return ret;
 }
 
+/// The ring that is so many steps away, with its weight.
 Ring ring_at(Center center_, int steps, float weight)
 {
-    const int _e3 = step_pixels();
-    int reach = asint(asuint(steps) * asuint(_e3));
-    float distance_1 = float(reach);
+    int reach = asint(asuint(steps) * asuint(step_pixels()));
+    float distance_ = float(reach);
     int2 at = center_.at;
-    int2 last_1 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 a_1 = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last_1.x), at.y), int(0)));
-    float4 b_1 = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
-    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last_1.y)), int(0)));
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y), int(0)));
+    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)), int(0)));
     float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
-    bool4 is_inside = (int4(asint(asuint(last_1.x) - asuint(at.x)), at.x, asint(asuint(last_1.y) - asuint(at.y)), at.y) >= (reach).xxxx);
-    float4 objects_1 = (is_inside ? abs(float4(a_1.w, b_1.w, c.w, d.w)) : (0.0).xxxx);
-    float2 rise = (distance_1 * center_.plane.rise);
-    float4 rises_1 = float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    const float4 _e86 = neighbor_weights(center_.plane, objects_1, float4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
-    float4 shares = ((weight * distance_1) * _e86);
-    const Ring ring_2 = ConstructRing((shares * (float4(a_1.x, b_1.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a_1.y, b_1.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_1));
+    // Beyond the image nothing is.
+    bool4 is_inside = (int4(asint(asuint(last.x) - asuint(at.x)), at.x, asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx);
+    float4 objects = (is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx);
+    float2 rise = (distance_ * center_.plane.rise);
+    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects, float4(a.z, b.z, c.z, d.z), rises, distance_);
+    float4 shares = ((weight * distance_) * neighbor_weights_value);
+    const Ring ring_2 = ConstructRing((shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_));
     return ring_2;
 }
 
+/// Two rings as one.
 Ring joined(Ring a, Ring b)
 {
     const Ring ring_3 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
     return ring_3;
 }
 
-Ring rings_at(Center center_1)
+/// The twelve neighbors one, two and three steps away.
+Ring rings_at(Center center_)
 {
-    const Ring _e3 = ring_at(center_1, int(1), 1.0);
-    const Ring _e6 = ring_at(center_1, int(2), 0.85);
-    const Ring _e7 = joined(_e3, _e6);
-    const Ring _e10 = ring_at(center_1, int(3), 0.5);
-    const Ring _e11 = joined(_e7, _e10);
-    const Ring ring_4 = _e11;
+    const Ring near = joined(ring_at(center_, int(1), 1.0), ring_at(center_, int(2), 0.85));
+    const Ring ring_4 = joined(near, ring_at(center_, int(3), 0.5));
     return ring_4;
 }
 
+/// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
+/// each side counts; 0 where none does.
 float2 derivatives(float4 changes, float4 weights)
 {
+    // A side that hardly counts any more is left to the other one, gradually.
     float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
     float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
     float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
-    const float _e22 = row_direction();
-    return (along * float2(1.0, _e22));
+    return (along * float2(1.0, row_direction()));
 }
 
+/// Mean curvature from the neighbors.
 float mean_curvature(Ring ring)
 {
-    const float2 _e7 = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
-    float _e15 = curvature.viewport_height;
-    return clamp(((0.5 * (_e7.x + _e7.y)) * _e15), -10000.0, 10000.0);
+    const float2 along = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
+    return clamp(((0.5 * (along.x + along.y)) * curvature.viewport_height), -10000.0, 10000.0);
 }
 
-float3 curvature_tensor(Ring ring_1)
+/// The tensor from the neighbors, in 1/viewport-height, camera axes, convex positive: xx, xy, yy.
+float3 curvature_tensor(Ring ring)
 {
-    const float2 _e3 = derivatives(ring_1.x, ring_1.weights);
-    const float2 _e6 = derivatives(ring_1.y, ring_1.weights);
-    float _e17 = curvature.viewport_height;
-    float3 tensor = (float3(_e3.x, (0.5 * (_e6.x + _e3.y)), _e6.y) * _e17);
+    const float2 of_x = derivatives(ring.x, ring.weights);
+    const float2 of_y = derivatives(ring.y, ring.weights);
+    // A surface's own tensor is symmetric; that of interpolated normals is not quite.
+    float3 tensor = (float3(of_x.x, (0.5 * (of_y.x + of_x.y)), of_y.y) * curvature.viewport_height);
     return clamp(tensor, (-10000.0).xxx, (10000.0).xxx);
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position
 {
-    const float4 _e1 = whole_picture(index);
-    return _e1;
+    return whole_picture(index);
 }
 
 int2 naga_f2i32(float2 value) {
@@ -286,11 +322,9 @@ int2 naga_f2i32(float2 value) {
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     float4 position = fragmentinput_fs_main.position_1;
-    const Center _e3 = center_at(naga_f2i32(position.xy));
-    if ((_e3.plane.object == 0.0)) {
+    const Center center_ = center_at(naga_f2i32(position.xy));
+    if ((center_.plane.object == 0.0)) {
         return (0.0).xxxx;
     }
-    const Ring _e10 = rings_at(_e3);
-    const float3 _e11 = curvature_tensor(_e10);
-    return float4(_e11, 1.0);
+    return float4(curvature_tensor(rings_at(center_)), 1.0);
 }

@@ -2,24 +2,26 @@
 // Draws normals and depth, for the curvature pass.
 // Registers of space 0: view b0, object b1.
 // clay-relief.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
@@ -52,29 +54,37 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float4 surface_texel(float3 normal_1, float depth, float number)
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
 {
-    const float2 _e3 = slope_of(normal_1);
-    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
+/// The normal that the curvature pass sees.
 float3 shade(Surface surface)
 {
     return surface.normal;
@@ -90,11 +100,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -111,24 +118,17 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     bool local = (bool)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
-    float4 _e6 = view.eye;
-    float _e11 = view.eye.w;
-    float3 toward = normalize((_e6.xyz - (_e11 * in_.position)));
+    const float3 facing = normalize_seen(in_.normal);
+    float3 toward = normalize((view.eye.xyz - (view.eye.w * in_.position)));
     if (!(is_front)) {
-        local = (dot(_e3, toward) < -0.1);
+        local = (dot(facing, toward) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
-    float3 normal_4 = (is_behind ? -(_e3) : _e3);
-    Surface surface_1 = ConstructSurface(normal_4);
-    float4x4 _e29 = view.camera_from_world;
-    const float3 _e30 = shade(surface_1);
-    float3 seen = mul(float4(_e30, 0.0), _e29).xyz;
-    float4x4 _e37 = view.camera_from_world;
-    float depth_1 = -(mul(float4(in_.position, 1.0), _e37).z);
-    float _e46 = object.id;
-    const float4 _e49 = surface_texel(seen, depth_1, (_e46 + 1.0));
-    return _e49;
+    float3 normal = (is_behind ? -(facing) : facing);
+    Surface surface = ConstructSurface(normal);
+    float3 seen = mul(float4(shade(surface), 0.0), view.camera_from_world).xyz;
+    float depth = -(mul(float4(in_.position, 1.0), view.camera_from_world).z);
+    return surface_texel(seen, depth, (object.id + 1.0));
 }

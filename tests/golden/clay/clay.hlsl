@@ -1,39 +1,47 @@
 // Clay: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // clay.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light window;
     Light table;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -45,27 +53,41 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -81,26 +103,13 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
-static const ProfileShape body_tone_shape = ConstructProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
-static const ProfileShape bounce_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u);
-static const ProfileShape soft_sheen_tone_shape = ConstructProfileShape(0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u);
+static const ProfileShape body_tone_shape = {0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u};
+static const ProfileShape bounce_tone_shape = {0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u};
+static const ProfileShape soft_sheen_tone_shape = {0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -120,11 +129,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -133,33 +147,39 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float2 sin_cos_quick(float x_1)
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+float2 sin_cos_quick(float x)
 {
-    float y = (x_1 * x_1);
-    float s_1 = (x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return float2(s_1, c);
+    return float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -169,90 +189,99 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
-float bounded(float x_2)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_3, float low, float high)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high)
 {
-    const float _e3 = bounded(x_3);
-    const float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float length_of(float3 v_2)
+/// The length of v, also where its square would over- or underflow.
+float length_of(float3 v)
 {
-    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest_2 < SMALLEST_NORMAL)) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if ((largest < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e16 = bounded((largest_2 * length((v_2 / (largest_2).xxx))));
-    return _e16;
+    return bounded((largest * length((v / (largest).xxx))));
 }
 
-float footprint_of_vec3_(float3 v_3)
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(float3 v)
 {
-    float3 dx_1 = ddx(v_3);
-    float3 dy_1 = ddy(v_3);
-    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+    float3 dx = ddx(v);
+    float3 dy = ddy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 {
-    const float _e4 = length_of(along_x.xyz);
-    const float _e6 = length_of(along_y.xyz);
-    float largest_3 = max(_e4, _e6);
-    if (((largest_3 < 1e-18) | (largest_3 > 1e18))) {
+    float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (((largest < 1e-18) | (largest > 1e18))) {
         return normal;
     }
-    float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_3 = (along_y.xyz / (largest_3).xxx);
-    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_3, normal);
-    float3 up = cross(normal, s_3);
-    float area = dot(s_3, right);
+    float3 s = (along_x.xyz / (largest).xxx);
+    float3 t = (along_y.xyz / (largest).xxx);
+    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest).xx), (-1000000.0).xx, (1000000.0).xx);
+    float3 right = cross(t, normal);
+    float3 up = cross(normal, s);
+    float area = dot(s, right);
     if ((abs(area) < 1e-6)) {
         return normal;
     }
     float3 slope = (((rise.x * right) + (rise.y * up)) / (area).xxx);
     float steepness = length(slope);
     float3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    const float3 _e50 = normalize_or((normal - limited), normal);
-    return _e50;
+    return normalize_or((normal - limited), normal);
 }
 
-float3 bump_map(float height, float scale, float3 normal_1, float3 position)
+/// Bump map
+///
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
+float3 bump_map(float height, float scale, float3 normal, float3 position)
 {
     float raised = (height * scale);
-    float3 _e5 = ddx(position);
-    float _e6 = ddx(raised);
-    float4 along_x_1 = float4(_e5, _e6);
-    float3 _e8 = ddy(position);
-    float _e9 = ddy(raised);
-    float4 along_y_1 = float4(_e8, _e9);
-    const float3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
-    return _e11;
+    float4 along_x = float4(ddx(position), ddx(raised));
+    float4 along_y = float4(ddy(position), ddy(raised));
+    return bumped_normal(along_x, along_y, normal);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -267,95 +296,82 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_specular_balanced(Light light_1, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_2;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place.x, shape_1);
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
     float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
-    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_2)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_4 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_4;
-    uint3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_4;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
-uint3 lattice_hash(int3 cell, uint seed_1)
+/// The hash of a lattice point.
+uint3 lattice_hash(int3 cell, uint seed)
 {
-    const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
@@ -364,151 +380,116 @@ float gradient_dot(uint3 hash, float3 d)
     return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float3 fade_quintic(float3 t_1)
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+float3 fade_quintic(float3 t)
 {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float perlin_noise(float3 p, uint seed_2)
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d_2 = (p - corner);
-    const float3 _e4 = fade_quintic(d_2);
-    int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    float3 d = (p - corner);
+    const float3 f = fade_quintic(d);
+    int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e46 = i;
-            i = asint(asuint(_e46) + asuint(int(1)));
+            i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        int _e10 = i;
-        if ((_e10 < int(8))) {
+        if ((i < int(8))) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            int3 at = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_2 - float3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w_1)
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i_1 = int(0);
+    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
+    float sum = 0.0;
 
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e66 = i_1;
-            i_1 = asint(asuint(_e66) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e17 = i_1;
-        if (!((_e17 < int(2)))) {
+        loop_init = false;
+        if (!((i < int(2)))) {
             break;
         }
-        float _e21 = frequency;
-        const float _e25 = eased((w_1 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_1;
-            float3 place_1 = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            int _e47 = i_1;
-            const float _e50 = perlin_noise(place_1, (0u + uint(_e47)));
-            octave = lerp(0.5, _e50, visible);
+            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    float _e70 = total;
-    return min((_e69 / _e70), 1.0);
+    return min((sum / total), 1.0);
 }
 
-float noise_perlin(float3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4)
+float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p_2 = (position_1 * scale_1);
-    const float _e7 = footprint_of_vec3_(p_2);
-    const float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
-    return _e8;
+    float3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float shade_in_hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.09), -20.0, 20.0))))))));
-    const float4 _e30 = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
-    const float _e36 = noise_perlin(surface.position_object, 2.6, int(2), 0.4, int(0));
-    const float3 _e40 = bump_map(_e36, 0.05, surface.normal, surface.position);
-    float3 _e44 = look.window.direction;
-    float3 _e52 = look.window.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((_e40 - _e44))), (0.5 * length((_e40 + _e52))));
+    const float4 body_color = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
+    const float finger_marks = noise_perlin(surface.position_object, 2.6, int(2), 0.4, int(0));
+    const float3 skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
+    Angle body_angle = ConstructAngle((0.5 * length((skin - look.window.direction))), (0.5 * length((skin + look.window.direction))));
     float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
-    const float _e65 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e68 = look.window;
-    const LitLayer _e69 = light_apply(_e68, _e30, _e65);
-    const float4 _e79 = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), _e69.color, _e69.tone, 1.0, true);
-    const float4 _e87 = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
-    Light _e90 = look.window;
-    const LitLayer _e92 = light_apply(_e90, _e87, 1.0);
-    float4 shade_in_hollows_blend = clamp(float4((_e79.xyz + (0.8 * ((_e79.xyz * (_e92.tone * _e92.color.xyz)) - _e79.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
+    const LitLayer body_lit = light_apply(look.window, body_color, body_tone);
+    const float4 body_blend = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    const float4 shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
+    const LitLayer shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
+    float4 shade_in_hollows_blend = clamp(float4((body_blend.xyz + (0.8 * ((body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)) - body_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float soft_sheen_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
-    const float4 _e141 = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
-    float3 _e145 = look.table.direction;
-    float3 _e153 = look.table.direction;
-    Angle bounce_angle = ConstructAngle((0.5 * length((_e40 - _e145))), (0.5 * length((_e40 + _e153))));
+    const float4 bounce_color = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
+    Angle bounce_angle = ConstructAngle((0.5 * length((skin - look.table.direction))), (0.5 * length((skin + look.table.direction))));
     float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
-    const float _e166 = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e169 = look.table;
-    const LitLayer _e170 = light_apply(_e169, _e141, _e166);
-    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (_e170.tone * _e170.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e194 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e197 = look.window;
-    const Angle _e199 = parametrization_specular_balanced(_e197, _e40, surface.view);
+    const float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    const LitLayer bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
+    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (bounce_lit.tone * bounce_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 soft_sheen_color = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
+    const Angle soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    const float _e207 = profile_balanced(_e199, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e210 = look.window;
-    const LitLayer _e211 = light_apply(_e210, _e194, _e207);
-    float4 soft_sheen_blend = clamp(float4((bounce_blend.xyz + (_e211.tone * _e211.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    const LitLayer soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
+    float4 soft_sheen_blend = clamp(float4((bounce_blend.xyz + (soft_sheen_lit.tone * soft_sheen_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return soft_sheen_blend;
 }
 
@@ -523,11 +504,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e16 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -550,12 +528,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_5 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e25 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object, _e25.x);
-    const float4 _e28 = shade(surface_1);
-    return _e28;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position, in_.position_object, texel.x);
+    return shade(surface);
 }

@@ -7,19 +7,27 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec2 viewport;
     mat3x3 camera_from_world;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -27,10 +35,17 @@ struct Surface {
     vec3 curvature_tensor;
     vec3 smooth_normal_4_;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
 struct Varyings {
@@ -53,15 +68,21 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
@@ -69,74 +90,65 @@ float bounded(float x) {
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_1) {
-    float _e1 = dFdx(x_1);
-    float _e2 = dFdy(x_1);
-    vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float footprint_of_2_(float x_2) {
-    float _e1 = dFdx(x_2);
-    float _e2 = dFdy(x_2);
-    vec2 d_1 = vec2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_3, float edge, float w) {
-    float d_2 = (x_3 - edge);
-    return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w) {
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
-vec4 ramp_at(Ramp ramp, float x_4, float w_1) {
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
     uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
-    vec4 _e8 = colors[0];
-    color = _e8;
+    color = colors[0];
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e35 = i;
-            i = (_e35 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e12 = i;
-        if (!((_e12 < 3u))) {
+        if (!((i < 3u))) {
             break;
         }
-        vec4 _e16 = color;
-        uint _e17 = i;
-        vec4 _e19 = colors[_e17];
-        uint _e20 = i;
-        vec4 _e24 = colors[(_e20 - 1u)];
-        uint _e27 = i;
-        float _e31 = places[0][(_e27 % 4u)];
-        float _e32 = step_filtered(x_4, _e31, w_1);
-        color = (_e16 + ((_e19 - _e24) * _e32));
+        color = (color + ((colors[i] - colors[(i - 1u)]) * step_filtered(x, places[0][(i % 4u)], w)));
     }
-    vec4 _e38 = color;
-    return _e38;
+    return color;
 }
 
+/// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 vec2 principal_curvatures(vec3 tensor) {
     float mean = (0.5 * (tensor.x + tensor.z));
     float spread = length(vec2((0.5 * (tensor.x - tensor.z)), tensor.y));
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
-    return ((mean >= 0.0) ? vec2(far, _e26) : vec2(_e26, far));
+    float near = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
+    return ((mean >= 0.0) ? vec2(far, near) : vec2(near, far));
 }
 
 float reflectance_half_lambert(Light light, vec3 normal) {
@@ -144,59 +156,56 @@ float reflectance_half_lambert(Light light, vec3 normal) {
     return min((half_ * half_), 1.0);
 }
 
-float inner_contour_suggestive(float width, float limit, float softness, vec3 tensor_1, vec3 normal_1, vec3 view, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
-    vec3 n = (camera_from_world * normal_1);
-    float square_1 = dot(n.xy, n.xy);
-    float radial = (((((tensor_1.x * n.x) * n.x) + (((2.0 * tensor_1.y) * n.x) * n.y)) + ((tensor_1.z * n.y) * n.y)) / max(square_1, 1e-6));
-    float _e35 = dFdx(radial);
-    float _e36 = dFdy(radial);
-    vec2 change = vec2(_e35, _e36);
-    vec3 v_2 = (camera_from_world * view);
+/// Inner contour
+///
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
+float inner_contour_suggestive(float width, float limit, float softness, vec3 tensor, vec3 normal, vec3 view, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
+    vec3 n = (camera_from_world * normal);
+    float square = dot(n.xy, n.xy);
+    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square, 1e-6));
+    vec2 change = vec2(dFdx(radial), dFdy(radial));
+    vec3 v = (camera_from_world * view);
     vec3 row = dFdy(place);
-    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float x_6 = ((toward_eye * height) * 0.05);
-    float _e79 = footprint_of(x_6);
-    float strength = clamp((0.5 + ((x_6 - limit) / length(vec2(min(_e79, 1000000000000000.0), 22.0)))), 0.0, 1.0);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal_1, view)));
+    float x = ((toward_eye * height) * 0.05);
+    float strength = clamp((0.5 + ((x - limit) / length(vec2(min(footprint_of(x), 1000000000000000.0), 22.0)))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal, view)));
 }
 
-float faded_in(float x_5, float limit_1, float softness_1) {
-    float _e3 = footprint_of(x_5);
-    float width_2 = length(vec2(min(_e3, 1000000000000000.0), 45.0));
-    float _e9 = bounded(x_5);
-    float _e11 = bounded((_e9 - limit_1));
-    return clamp((0.5 + (_e11 / width_2)), 0.0, 1.0);
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
+float faded_in(float x, float limit, float softness) {
+    float width = length(vec2(min(footprint_of(x), 1000000000000000.0), 45.0));
+    return clamp((0.5 + (bounded((bounded(x) - limit)) / width)), 0.0, 1.0);
 }
 
-float outer_contour(float width_1, vec3 normal_2, vec3 view_1, vec2 viewport_1) {
-    float facing = clamp(dot(normal_2, view_1), 0.0, 1.0);
-    float pixels_1 = ((width_1 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
-    float _e15 = footprint_of_2_(facing);
-    float distance_1 = (facing / max((2.0 * _e15), 1e-6));
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
+float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    float distance_ = (facing / max((2.0 * footprint_of_2(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels_1 + 0.5) - distance_1), 0.0, min(pixels_1, 1.0)) * near);
+    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e3 = normalize_moderate(surface.smooth_normal_4_, surface.normal);
-    Light _e6 = u_look.key;
-    float _e7 = reflectance_half_lambert(_e6, _e3);
-    float _e9 = footprint_of_2_(_e7);
-    vec4 _e10 = ramp_at(three_washes, _e7, _e9);
-    vec2 _e12 = principal_curvatures(surface.curvature_tensor);
-    float _e17 = faded_in(-(_e12.y), 45.0, 1.0);
-    float hollows = (_e17 * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
-    vec4 hollows_in_sepia = mix(_e10, vec4(0.6588, 0.5294, 0.4235, 1.0), hollows);
-    mat3x3 _e39 = u_look.camera_from_world;
-    vec2 _e43 = u_look.viewport;
-    float _e44 = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e39, surface.position_camera, _e43);
-    vec2 _e50 = u_look.viewport;
-    float _e51 = outer_contour(5.0, surface.normal, surface.view, _e50);
-    float all_lines = max(_e44, _e51);
+    vec3 broad_forms = normalize_moderate(surface.smooth_normal_4_, surface.normal);
+    float light_and_dark = reflectance_half_lambert(u_look.key, broad_forms);
+    vec4 three_washes_2 = ramp_at(three_washes, light_and_dark, footprint_of_2(light_and_dark));
+    float faded_in_value = faded_in(-(principal_curvatures(surface.curvature_tensor).y), 45.0, 1.0);
+    float hollows = (faded_in_value * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
+    vec4 hollows_in_sepia = mix(three_washes_2, vec4(0.6588, 0.5294, 0.4235, 1.0), hollows);
+    float inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, u_look.camera_from_world, surface.position_camera, u_look.viewport);
+    float outline = outer_contour(5.0, surface.normal, surface.view, u_look.viewport);
+    float all_lines = max(inner_lines, outline);
     vec4 ink = mix(hollows_in_sepia, vec4(0.1647, 0.1412, 0.1882, 1.0), all_lines);
     return ink;
 }
@@ -204,17 +213,12 @@ vec4 shade(Surface surface) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    mat4x4 _e20 = u_view.camera_from_world;
-    vec4 _e31 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    vec4 _e38 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e44 = u_view.camera_from_world;
-    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), (_e20 * vec4(in_.position, 1.0)).xyz, _e31.xyz, (vec4(_e38.xyz, 0.0) * _e44).xyz);
-    vec4 _e48 = shade(surface_1);
-    out_color = _e48;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_1 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), (u_view.camera_from_world * vec4(in_.position, 1.0)).xyz, texel.xyz, (vec4(texel_1.xyz, 0.0) * u_view.camera_from_world).xyz);
+    out_color = shade(surface);
     return;
 }
 

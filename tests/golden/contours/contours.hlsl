@@ -1,34 +1,41 @@
 // Contours: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_2 b0, object b1, look b2, curvature_tensor_map t0, smooth_normal_4_map t1.
+// Registers of space 0: view b0, object b1, look b2, curvature_tensor_map t0, smooth_normal_4_map t1.
 // contours.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     float2 viewport;
     int _pad1_0;
@@ -38,6 +45,7 @@ struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -51,10 +59,17 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
@@ -71,31 +86,10 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp three_washes = ConstructRamp(Constructarray16_float4_(float4(0.7255, 0.7686, 0.8118, 1.0), float4(0.8627, 0.8627, 0.8235, 1.0), float4(0.9725, 0.949, 0.8863, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.16, 0.42, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), 3u, 2u);
+static const Ramp three_washes = {{float4(0.7255, 0.7686, 0.8118, 1.0), float4(0.8627, 0.8627, 0.8235, 1.0), float4(0.9725, 0.949, 0.8863, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.16, 0.42, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 3u, 2u};
 
-cbuffer view_2 : register(b0) { View view_2; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_tensor_map : register(t0);
@@ -114,17 +108,23 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x)
 {
     uint bits = asuint(x);
@@ -133,88 +133,77 @@ float bounded(float x)
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_1)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_1);
-    float _e2 = ddy(x_1);
-    float2 d = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+    float2 d = float2(ddx(x), ddy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float footprint_of_2_(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d_1 = float2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+    float2 d = float2(ddx(x), ddy(x));
+    return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_3, float edge, float w)
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w)
 {
-    float d_2 = (x_3 - edge);
-    return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_4, float w_1)
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
     uint i = 1u;
 
     colors = ramp.colors;
     places = ramp.places;
-    float4 _e8 = colors[0];
-    color = _e8;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    color = colors[0];
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e35 = i;
-            i = (_e35 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e12 = i;
-        if (!((_e12 < 3u))) {
+        if (!((i < 3u))) {
             break;
         }
-        float4 _e16 = color;
-        uint _e17 = i;
-        float4 _e19 = colors[min(uint(_e17), 15u)];
-        uint _e20 = i;
-        float4 _e24 = colors[min(uint((_e20 - 1u)), 15u)];
-        uint _e27 = i;
-        float _e31 = places[0][min(uint(naga_mod(_e27, 4u)), 3u)];
-        const float _e32 = step_filtered(x_4, _e31, w_1);
-        color = (_e16 + ((_e19 - _e24) * _e32));
+        const float step_filtered_value = step_filtered(x, places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
+        color = (color + ((colors[min(uint(i), 15u)] - colors[min(uint((i - 1u)), 15u)]) * step_filtered_value));
     }
-    float4 _e38 = color;
-    return _e38;
+    return color;
 }
 
+/// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 float2 principal_curvatures(float3 tensor)
 {
     float mean = (0.5 * (tensor.x + tensor.z));
     float spread = length(float2((0.5 * (tensor.x - tensor.z)), tensor.y));
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    const float _e26 = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
-    return ((mean >= 0.0) ? float2(far, _e26) : float2(_e26, far));
+    const float near = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
+    return ((mean >= 0.0) ? float2(far, near) : float2(near, far));
 }
 
 float reflectance_half_lambert(Light light, float3 normal)
@@ -223,63 +212,60 @@ float reflectance_half_lambert(Light light, float3 normal)
     return min((half_ * half_), 1.0);
 }
 
-float inner_contour_suggestive(float width, float limit, float softness, float3 tensor_1, float3 normal_1, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
+/// Inner contour
+///
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
+float inner_contour_suggestive(float width, float limit, float softness, float3 tensor, float3 normal, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
 {
-    float3 n = mul(normal_1, camera_from_world);
-    float square_1 = dot(n.xy, n.xy);
-    float radial = (((((tensor_1.x * n.x) * n.x) + (((2.0 * tensor_1.y) * n.x) * n.y)) + ((tensor_1.z * n.y) * n.y)) / max(square_1, 1e-6));
-    float _e35 = ddx(radial);
-    float _e36 = ddy(radial);
-    float2 change = float2(_e35, _e36);
-    float3 v_2 = mul(view, camera_from_world);
+    float3 n = mul(normal, camera_from_world);
+    float square = dot(n.xy, n.xy);
+    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square, 1e-6));
+    float2 change = float2(ddx(radial), ddy(radial));
+    float3 v = mul(view, camera_from_world);
     float3 row = ddy(place);
-    float up = (((row - (dot(row, v_2) * v_2)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float x_6 = ((toward_eye * height) * 0.05);
-    const float _e79 = footprint_of(x_6);
-    float strength = clamp((0.5 + ((x_6 - limit) / length(float2(min(_e79, 1000000000000000.0), 22.0)))), 0.0, 1.0);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal_1, view)));
+    float x = ((toward_eye * height) * 0.05);
+    float strength = clamp((0.5 + ((x - limit) / length(float2(min(footprint_of(x), 1000000000000000.0), 22.0)))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal, view)));
 }
 
-float faded_in(float x_5, float limit_1, float softness_1)
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
+float faded_in(float x, float limit, float softness)
 {
-    const float _e3 = footprint_of(x_5);
-    float width_2 = length(float2(min(_e3, 1000000000000000.0), 45.0));
-    const float _e9 = bounded(x_5);
-    const float _e11 = bounded((_e9 - limit_1));
-    return clamp((0.5 + (_e11 / width_2)), 0.0, 1.0);
+    float width = length(float2(min(footprint_of(x), 1000000000000000.0), 45.0));
+    return clamp((0.5 + (bounded((bounded(x) - limit)) / width)), 0.0, 1.0);
 }
 
-float outer_contour(float width_1, float3 normal_2, float3 view_1, float2 viewport_1)
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
+float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
-    float facing = clamp(dot(normal_2, view_1), 0.0, 1.0);
-    float pixels_1 = ((width_1 * clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0);
-    const float _e15 = footprint_of_2_(facing);
-    float distance_1 = (facing / max((2.0 * _e15), 1e-6));
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    float distance_ = (facing / max((2.0 * footprint_of_2(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels_1 + 0.5) - distance_1), 0.0, min(pixels_1, 1.0)) * near);
+    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const float3 _e3 = normalize_moderate(surface.smooth_normal_4_, surface.normal);
-    Light _e6 = look.key;
-    const float _e7 = reflectance_half_lambert(_e6, _e3);
-    const float _e9 = footprint_of_2_(_e7);
-    const float4 _e10 = ramp_at(three_washes, _e7, _e9);
-    const float2 _e12 = principal_curvatures(surface.curvature_tensor);
-    const float _e17 = faded_in(-(_e12.y), 45.0, 1.0);
-    float hollows = (_e17 * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
-    float4 hollows_in_sepia = lerp(_e10, float4(0.6588, 0.5294, 0.4235, 1.0), hollows);
-    float3x3 _e39 = look.camera_from_world;
-    float2 _e43 = look.viewport;
-    const float _e44 = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, _e39, surface.position_camera, _e43);
-    float2 _e50 = look.viewport;
-    const float _e51 = outer_contour(5.0, surface.normal, surface.view, _e50);
-    float all_lines = max(_e44, _e51);
+    const float3 broad_forms = normalize_moderate(surface.smooth_normal_4_, surface.normal);
+    const float light_and_dark = reflectance_half_lambert(look.key, broad_forms);
+    const float4 three_washes_2 = ramp_at(three_washes, light_and_dark, footprint_of_2(light_and_dark));
+    const float faded_in_value = faded_in(-(principal_curvatures(surface.curvature_tensor).y), 45.0, 1.0);
+    float hollows = (faded_in_value * smoothstep(0.05, 0.3, dot(surface.normal, surface.view)));
+    float4 hollows_in_sepia = lerp(three_washes_2, float4(0.6588, 0.5294, 0.4235, 1.0), hollows);
+    const float inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    const float outline = outer_contour(5.0, surface.normal, surface.view, look.viewport);
+    float all_lines = max(inner_lines, outline);
     float4 ink = lerp(hollows_in_sepia, float4(0.1647, 0.1412, 0.1882, 1.0), all_lines);
     return ink;
 }
@@ -294,11 +280,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_2.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -321,15 +304,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_5 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_2.eye;
-    float _e13 = view_2.eye.w;
-    float4x4 _e20 = view_2.camera_from_world;
-    float4 _e31 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 _e38 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e44 = view_2.camera_from_world;
-    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), mul(float4(in_.position, 1.0), _e20).xyz, _e31.xyz, mul(_e44, float4(_e38.xyz, 0.0)).xyz);
-    const float4 _e48 = shade(surface_1);
-    return _e48;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel_1 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), mul(float4(in_.position, 1.0), view.camera_from_world).xyz, texel.xyz, mul(view.camera_from_world, float4(texel_1.xyz, 0.0)).xyz);
+    return shade(surface);
 }

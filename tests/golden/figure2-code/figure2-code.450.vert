@@ -6,18 +6,26 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
 struct Vertex {
@@ -41,10 +49,8 @@ layout(location = 0) smooth out vec2 v_uv;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_uv);
-    mat4x4 _e3 = u_object.world_from_object;
-    vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e10 = u_view.clip_from_world;
-    Varyings _tmp_return = Varyings((_e10 * world), vertex.uv);
+    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
+    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), vertex.uv);
     gl_Position = _tmp_return.clip;
     v_uv = _tmp_return.uv;
     return;

@@ -2,51 +2,70 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // figure2-diffuse.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
@@ -62,30 +81,9 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float HALF_PI = 1.5707964;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp color_code = ConstructRamp(Constructarray16_float4_(float4(1.0, 0.9686, 0.8392, 1.0), float4(1.0, 0.8196, 0.4, 1.0), float4(0.9529, 0.4471, 0.1725, 1.0), float4(0.7843, 0.1961, 0.3529, 1.0), float4(0.4157, 0.1725, 0.549, 1.0), float4(0.1529, 0.2039, 0.4353, 1.0), float4(0.0431, 0.0627, 0.149, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.1, 0.22, 0.36), float4(0.52, 0.72, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx), 7u, 1u);
+static const Ramp color_code = {{float4(1.0, 0.9686, 0.8392, 1.0), float4(1.0, 0.8196, 0.4, 1.0), float4(0.9529, 0.4471, 0.1725, 1.0), float4(0.7843, 0.1961, 0.3529, 1.0), float4(0.4157, 0.1725, 0.549, 1.0), float4(0.1529, 0.2039, 0.4353, 1.0), float4(0.0431, 0.0627, 0.149, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.1, 0.22, 0.36), float4(0.52, 0.72, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -102,17 +100,21 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-float4 finite_vec4_(float4 v)
+/// v with 0 for each component that is NaN or infinite.
+float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(float y, float x)
 {
     float small = min(y, x);
@@ -120,61 +122,67 @@ float atan2_positive(float y, float x)
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_2 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a_2) : a_2);
+    float t = (small / large);
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2 = (r * r);
+    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x) ? (HALF_PI - a) : a);
 }
 
+/// The angle u in radians.
 float angle_radians(Angle u)
 {
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float4 bounded_vec4_(float4 v_2)
+/// [`bounded`], component by component.
+float4 bounded_vec4(float4 v)
 {
-    uint4 bits_1 = asuint(v_2);
-    uint4 magnitude_1 = (bits_1 & (2147483647u).xxxx);
-    float4 largest_1 = asfloat(((bits_1 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
-    return ((magnitude_1 < (2139095040u).xxxx) ? v_2 : numbers);
+    uint4 bits = asuint(v);
+    uint4 magnitude = (bits & (2147483647u).xxxx);
+    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
+    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
-float4 hermite(float4 a_1, float4 b_1, float4 from_a, float4 to_b, float t)
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
+float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d_1 = (b_1 - a_1);
-    return (a_1 + (t * (from_a + (t * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_1))))))));
+    float4 d = (b - a);
+    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after)
 {
     if (((before * after) <= 0.0)) {
@@ -182,25 +190,21 @@ float harmonic_slope(float before, float span_before, float after, float span_af
     }
     float weight_before = ((2.0 * span_after) + span_before);
     float weight_after = (span_after + (2.0 * span_before));
-    const float _e18 = divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
-    return _e18;
+    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
 }
 
-float4 ramp_slope(float4 rise_before, float span_before_1, float4 rise_after, float span_after_1)
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
+float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, float span_after)
 {
-    const float _e5 = divided(rise_before.x, span_before_1);
-    const float _e7 = divided(rise_after.x, span_after_1);
-    const float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    const float _e10 = divided(rise_before.y, span_before_1);
-    const float _e12 = divided(rise_after.y, span_after_1);
-    const float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    const float _e15 = divided(rise_before.z, span_before_1);
-    const float _e17 = divided(rise_after.z, span_after_1);
-    const float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    const float _e20 = divided(rise_before.w, span_before_1);
-    const float _e22 = divided(rise_after.w, span_after_1);
-    const float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return float4(_e8, _e13, _e18, _e23);
+    const float divided_value = divided(rise_after.x, span_after);
+    const float divided_value_1 = divided(rise_after.y, span_after);
+    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value_1, span_after);
+    const float divided_value_2 = divided(rise_after.z, span_after);
+    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_2, span_after);
+    const float divided_value_3 = divided(rise_after.w, span_after);
+    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_3, span_after);
+    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value, span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -211,94 +215,64 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_3, float w)
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
-    uint i_2_ = 1u;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
+    uint i_2 = 1u;
     uint at = 0u;
-    float4 from_a_1 = (0.0).xxxx;
-    float4 to_b_1 = (0.0).xxxx;
+    float4 from_a = (0.0).xxxx;
+    float4 to_b = (0.0).xxxx;
 
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e28 = i_2_;
-            i_2_ = (_e28 + 1u);
+            i_2 = (i_2 + 1u);
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 7u))) {
+        if (!((i_2 < 7u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e17 = i_2_;
-        uint _e21 = i_2_;
-        float _e25 = places[min(uint(naga_div(_e17, 4u)), 3u)][min(uint(naga_mod(_e21, 4u)), 3u)];
-        at = ((_e25 <= x_3) ? _e16 : _e15);
+        float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)), 3u)];
+        at = ((places_now <= x) ? i_2 : at);
     }
-    uint _e31 = at;
-    uint _e35 = at;
-    float place = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
-    uint _e40 = at;
-    if ((((_e40 + 1u) >= 7u) | (x_3 <= place))) {
-        uint _e47 = at;
-        float4 _e49 = colors[min(uint(_e47), 15u)];
-        return _e49;
+    float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
+    if ((((at + 1u) >= 7u) | (x <= place))) {
+        return colors[min(uint(at), 15u)];
     }
-    uint _e50 = at;
-    uint after_1 = (_e50 + 1u);
-    float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span = (_e59 - place);
-    const float _e62 = divided((x_3 - place), span);
-    float t_2 = clamp(_e62, 0.0, 1.0);
-    uint _e69 = at;
-    if ((_e69 > 0u)) {
-        uint _e72 = at;
-        uint _e78 = at;
-        float before_1 = places[min(uint(naga_div((_e72 - 1u), 4u)), 3u)][min(uint(naga_mod((_e78 - 1u), 4u)), 3u)];
-        uint _e85 = at;
-        float4 _e87 = colors[min(uint(_e85), 15u)];
-        uint _e88 = at;
-        float4 _e92 = colors[min(uint((_e88 - 1u)), 15u)];
-        float4 _e96 = colors[min(uint(after_1), 15u)];
-        uint _e97 = at;
-        float4 _e99 = colors[min(uint(_e97), 15u)];
-        const float4 _e101 = ramp_slope((_e87 - _e92), (place - before_1), (_e96 - _e99), span);
-        from_a_1 = _e101;
+    uint after = (at + 1u);
+    float span = (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
+    float t = clamp(divided((x - place), span), 0.0, 1.0);
+    if ((at > 0u)) {
+        float before = places[min(uint(naga_div((at - 1u), 4u)), 3u)][min(uint(naga_mod((at - 1u), 4u)), 3u)];
+        float4 colors_now = colors[min(uint((at - 1u)), 15u)];
+        float4 colors_now_1 = colors[min(uint(after), 15u)];
+        float4 colors_now_2 = colors[min(uint(at), 15u)];
+        from_a = ramp_slope((colors[min(uint(at), 15u)] - colors_now), (place - before), (colors_now_1 - colors_now_2), span);
     }
-    if (((after_1 + 1u) < 7u)) {
-        float _e119 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e119 - (place + span));
-        float4 _e123 = colors[min(uint(after_1), 15u)];
-        uint _e124 = at;
-        float4 _e126 = colors[min(uint(_e124), 15u)];
-        float4 _e131 = colors[min(uint((after_1 + 1u)), 15u)];
-        float4 _e133 = colors[min(uint(after_1), 15u)];
-        const float4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
-        to_b_1 = _e135;
+    if (((after + 1u) < 7u)) {
+        float places_now_1 = places[min(uint(naga_div((after + 1u), 4u)), 3u)][min(uint(naga_mod((after + 1u), 4u)), 3u)];
+        float next = (places_now_1 - (place + span));
+        float4 colors_now_3 = colors[min(uint((after + 1u)), 15u)];
+        float4 colors_now_4 = colors[min(uint(after), 15u)];
+        to_b = ramp_slope((colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)]), span, (colors_now_3 - colors_now_4), next);
     }
-    uint _e136 = at;
-    float4 _e138 = colors[min(uint(_e136), 15u)];
-    float4 _e140 = colors[min(uint(after_1), 15u)];
-    float4 _e141 = from_a_1;
-    float4 _e143 = to_b_1;
-    const float4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_2);
-    const float4 _e146 = bounded_vec4_(_e145);
-    return _e146;
+    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], (span * from_a), (span * to_b), t);
+    return bounded_vec4(hermite_value);
 }
 
+/// Premultiplied RGBA of a straight color.
 float4 premultiplied(float4 color)
 {
     return float4((color.xyz * color.w), color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -307,11 +281,13 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_1)
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
+float4 output(float4 color)
 {
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return finite_vec4(straight(color));
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -321,19 +297,14 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    const float _e20 = angle_radians(angle);
-    float angle_over_pi = (_e20 / 3.1415927);
-    const float _e24 = footprint_of(angle_over_pi);
-    const float4 _e25 = ramp_at(color_code, angle_over_pi, _e24);
-    float4 output_alpha = float4(_e25.xyz, clamp(_e25.w, 0.0, 1.0));
-    const float4 _e32 = premultiplied(output_alpha);
-    const float4 _e33 = output(_e32);
-    return _e33;
+    Angle angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    float angle_over_pi = (angle_radians(angle) / 3.1415927);
+    const float4 color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
+    float4 output_alpha = float4(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
+    return output(premultiplied(output_alpha));
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -345,11 +316,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -364,10 +332,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_2);
-    const float4 _e7 = shade(surface_1);
-    const float4 _e8 = finite_vec4_(_e7);
-    return _e8;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal);
+    return finite_vec4(shade(surface));
 }

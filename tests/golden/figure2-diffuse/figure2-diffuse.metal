@@ -13,31 +13,43 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct type_5 {
@@ -46,10 +58,17 @@ struct type_5 {
 struct type_6 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_5 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_6 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
@@ -65,19 +84,23 @@ constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp color_code = Ramp {type_5 {{metal::float4(1.0, 0.9686, 0.8392, 1.0), metal::float4(1.0, 0.8196, 0.4, 1.0), metal::float4(0.9529, 0.4471, 0.1725, 1.0), metal::float4(0.7843, 0.1961, 0.3529, 1.0), metal::float4(0.4157, 0.1725, 0.549, 1.0), metal::float4(0.1529, 0.2039, 0.4353, 1.0), metal::float4(0.0431, 0.0627, 0.149, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.1, 0.22, 0.36), metal::float4(0.52, 0.72, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 1u};
 
-metal::float4 finite_vec4_(
+/// v with 0 for each component that is NaN or infinite.
+metal::float4 finite_vec4(
     metal::float4 v
 ) {
     metal::uint4 exponent = metal::uint4(2139095040u);
     return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(
     float y,
     float x
@@ -87,41 +110,46 @@ float atan2_positive(
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_2 = is_wide ? (series + 0.7853982) : series;
-    return (y > x) ? (HALF_PI - a_2) : a_2;
+    float t = small / large;
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y > x) ? (HALF_PI - a) : a;
 }
 
+/// The angle u in radians.
 float angle_radians(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float4 bounded_vec4_(
-    metal::float4 v_2
+/// [`bounded`], component by component.
+metal::float4 bounded_vec4(
+    metal::float4 v
 ) {
-    metal::uint4 bits_1 = as_type<metal::uint4>(v_2);
-    metal::uint4 magnitude_1 = bits_1 & metal::uint4(2147483647u);
-    metal::float4 largest_1 = as_type<metal::float4>((bits_1 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest_1, magnitude_1 == metal::uint4(2139095040u));
-    return metal::select(numbers, v_2, magnitude_1 < metal::uint4(2139095040u));
+    metal::uint4 bits = as_type<metal::uint4>(v);
+    metal::uint4 magnitude = bits & metal::uint4(2147483647u);
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
+/// a / b; 0 where b is 0.
 float divided(
     float a,
     float b
@@ -129,30 +157,31 @@ float divided(
     if (metal::abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e7 = bounded(a / b);
-    return _e7;
+    return bounded(a / b);
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 metal::float4 hermite(
-    metal::float4 a_1,
-    metal::float4 b_1,
+    metal::float4 a,
+    metal::float4 b,
     metal::float4 from_a,
     metal::float4 to_b,
     float t
 ) {
-    metal::float4 d_1 = b_1 - a_1;
-    return a_1 + (t * (from_a + (t * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_1)))))));
+    metal::float4 d = b - a;
+    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(
     float before,
     float span_before,
@@ -164,29 +193,24 @@ float harmonic_slope(
     }
     float weight_before = (2.0 * span_after) + span_before;
     float weight_after = span_after + (2.0 * span_before);
-    float _e18 = divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
-    return _e18;
+    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
 }
 
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 metal::float4 ramp_slope(
     metal::float4 rise_before,
-    float span_before_1,
+    float span_before,
     metal::float4 rise_after,
-    float span_after_1
+    float span_after
 ) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return metal::float4(_e8, _e13, _e18, _e23);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float divided_value = divided(rise_after.y, span_after);
+    float divided_value_1 = divided(rise_after.z, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float divided_value_2 = divided(rise_after.w, span_after);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -197,97 +221,61 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 Color ramp_at(
     Ramp ramp,
-    float x_3,
+    float x,
     float w
 ) {
     type_5 colors = {};
     type_6 places = {};
-    uint i_2_ = 1u;
+    uint i_2 = 1u;
     uint at = 0u;
-    metal::float4 from_a_1 = metal::float4(0.0);
-    metal::float4 to_b_1 = metal::float4(0.0);
+    metal::float4 from_a = metal::float4(0.0);
+    metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e28 = i_2_;
-            i_2_ = _e28 + 1u;
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 7u))) {
+        if (!((i_2 < 7u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e17 = i_2_;
-        uint _e21 = i_2_;
-        float _e25 = places.inner[naga_div(_e17, 4u)][naga_mod(_e21, 4u)];
-        at = (_e25 <= x_3) ? _e16 : _e15;
+        float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
+        at = (places_now <= x) ? i_2 : at;
     }
-    uint _e31 = at;
-    uint _e35 = at;
-    float place = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
-    uint _e40 = at;
-    if (((_e40 + 1u) >= 7u) | (x_3 <= place)) {
-        uint _e47 = at;
-        metal::float4 _e49 = colors.inner[_e47];
-        return _e49;
+    float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
+    if (((at + 1u) >= 7u) | (x <= place)) {
+        return colors.inner[at];
     }
-    uint _e50 = at;
-    uint after_1 = _e50 + 1u;
-    float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span = _e59 - place;
-    float _e62 = divided(x_3 - place, span);
-    float t_2 = metal::clamp(_e62, 0.0, 1.0);
-    uint _e69 = at;
-    if (_e69 > 0u) {
-        uint _e72 = at;
-        uint _e78 = at;
-        float before_1 = places.inner[naga_div(_e72 - 1u, 4u)][naga_mod(_e78 - 1u, 4u)];
-        uint _e85 = at;
-        metal::float4 _e87 = colors.inner[_e85];
-        uint _e88 = at;
-        metal::float4 _e92 = colors.inner[_e88 - 1u];
-        metal::float4 _e96 = colors.inner[after_1];
-        uint _e97 = at;
-        metal::float4 _e99 = colors.inner[_e97];
-        metal::float4 _e101 = ramp_slope(_e87 - _e92, place - before_1, _e96 - _e99, span);
-        from_a_1 = _e101;
+    uint after = at + 1u;
+    float span = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place;
+    float t = metal::clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        from_a = ramp_slope_value;
     }
-    if ((after_1 + 1u) < 7u) {
-        float _e119 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e119 - (place + span);
-        metal::float4 _e123 = colors.inner[after_1];
-        uint _e124 = at;
-        metal::float4 _e126 = colors.inner[_e124];
-        metal::float4 _e131 = colors.inner[after_1 + 1u];
-        metal::float4 _e133 = colors.inner[after_1];
-        metal::float4 _e135 = ramp_slope(_e123 - _e126, span, _e131 - _e133, next);
-        to_b_1 = _e135;
+    if ((after + 1u) < 7u) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
     }
-    uint _e136 = at;
-    metal::float4 _e138 = colors.inner[_e136];
-    metal::float4 _e140 = colors.inner[after_1];
-    metal::float4 _e141 = from_a_1;
-    metal::float4 _e143 = to_b_1;
-    metal::float4 _e145 = hermite(_e138, _e140, span * _e141, span * _e143, t_2);
-    metal::float4 _e146 = bounded_vec4_(_e145);
-    return _e146;
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
 }
 
+/// Premultiplied RGBA of a straight color.
 Composite premultiplied(
     Color color
 ) {
     return metal::float4(color.xyz * color.w, color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 Color straight(
     Composite composite
 ) {
@@ -297,29 +285,26 @@ Color straight(
     return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 Color output(
-    Composite color_1
+    Composite color
 ) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return finite_vec4(straight(color));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    metal::float3 _e14 = look.key.direction;
-    Angle angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    float _e20 = angle_radians(angle);
-    float angle_over_pi = _e20 / 3.1415927;
-    float _e24 = footprint_of(angle_over_pi);
-    Color _e25 = ramp_at(color_code, angle_over_pi, _e24);
-    metal::float4 output_alpha = metal::float4(_e25.xyz, metal::clamp(_e25.w, 0.0, 1.0));
-    Composite _e32 = premultiplied(output_alpha);
-    Color _e33 = output(_e32);
-    return _e33;
+    Angle angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    float angle_over_pi = angle_radians(angle) / 3.1415927;
+    Color color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
+    metal::float4 output_alpha = metal::float4(color_code_2.xyz, metal::clamp(color_code_2.w, 0.0, 1.0));
+    return output(premultiplied(output_alpha));
 }
 
 struct vs_mainInput {
@@ -336,11 +321,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e14 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -358,10 +340,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal};
-    metal::float4 _e7 = shade(surface_1, look);
-    metal::float4 _e8 = finite_vec4_(_e7);
-    return fs_mainOutput { _e8 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal};
+    return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

@@ -7,26 +7,42 @@
 precision highp float;
 precision highp int;
 
+/// The surface under the fragment, in world space.
 struct Surface {
     vec2 uv;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct VectorParts {
+    /// The first number.
     float x;
+    /// The second number.
     float y;
+    /// The third number.
     float z;
 };
 struct Varyings {
@@ -41,212 +57,214 @@ const ProfileShape custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834,
 smooth in vec2 v_uv;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+/// x, or `otherwise` where x is NaN or infinite.
+float finite_or(float x, float otherwise) {
+    bool is_finite_value = is_finite(x);
+    return (is_finite_value ? x : otherwise);
 }
 
-vec2 sin_cos_quarter(float x_2) {
-    float h = (0.5 * x_2);
-    float h2_ = (h * h);
-    float s_3 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
+vec2 sin_cos_quarter(float x) {
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
+    float h = (0.5 * x);
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s_3) * c), (1.0 - ((2.0 * s_3) * s_3)));
+    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
+/// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(float radians_) {
-    float _e2 = finite_or(radians_, 0.0);
-    float half_angle = (0.5 * clamp(_e2, 0.0, PI));
-    vec2 _e8 = sin_cos_quarter(half_angle);
-    return Angle(max(_e8.x, 0.0), max(_e8.y, 0.0));
+    float half_angle = (0.5 * clamp(finite_or(radians_, 0.0), 0.0, PI));
+    vec2 sc = sin_cos_quarter(half_angle);
+    return Angle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_4 = (u_1.half_sin - (u_1.half_cos * 0.0));
-    float c_1 = (u_1.half_cos + (u_1.half_sin * 0.0));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_1));
-    vec2 turned = (((s_4 <= 0.0) && (s_4 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + (u.half_sin * 0.0));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_4, float edge, float w) {
-    float d_1 = (x_4 - edge);
-    return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w) {
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha_2(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha_3_(vec4 below_2, vec4 color_2, float tone_2, float opacity_2, bool clamped_2) {
-    return clamp(vec4((below_2.xyz + (tone_2 * (color_2.xyz - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha_3(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_1) {
-    float q_1 = (s_1 * shape_1.scale);
-    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_1.exponent));
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_soft_quick_3_(float s_2, ProfileShape shape_2) {
-    float q_2 = (s_2 * shape_2.scale);
-    return ((s_2 <= 0.0) ? 1.0 : pow((1.0 - (q_2 * q_2)), shape_2.exponent));
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_3(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow((1.0 - (q * q)), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_3) {
-    vec2 place = vec2((u_2.half_sin - (u_2.half_cos * 0.0)), (u_2.half_cos + (u_2.half_sin * 0.0)));
-    float _e15 = profile_soft_quick(place.x, shape_3);
-    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
-        return _e15;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2((u.half_sin - (u.half_cos * 0.0)), (u.half_cos + (u.half_sin * 0.0)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e41 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    float _e49 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_4) {
-    vec2 place_1 = vec2((u_3.half_sin - (u_3.half_cos * 0.0)), (u_3.half_cos + (u_3.half_sin * 0.0)));
-    float _e15 = profile_soft_quick_2_(place_1.x, shape_4);
-    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
-        return _e15;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2((u.half_sin - (u.half_cos * 0.0)), (u.half_cos + (u.half_sin * 0.0)));
+    float point = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e41 = profile_soft_quick_3_(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
-    float _e49 = profile_soft_quick_2_(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
-    return ((((5.0 * _e41) + (8.0 * _e15)) + (5.0 * _e49)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick_3(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_5) {
-    vec2 place_2 = vec2(((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset)), ((u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset)));
-    float _e19 = profile_soft_quick_2_(place_2.x, shape_5);
-    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_2 = (0.19364917 * w_3);
-    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e45 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
-    float _e53 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_6) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    Angle _e6 = angle_turned(angle_2, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
-    return _e8;
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
-float threshold(float value, float edge_1, float softness) {
-    float _e3 = footprint_of(value);
-    float _e6 = step_filtered(value, edge_1, length(vec2(_e3, softness)));
-    return _e6;
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+float threshold(float value, float edge, float softness) {
+    return step_filtered(value, edge, length(vec2(footprint_of(value), softness)));
 }
 
+/// Separate vector
+///
+/// The three numbers of a vector.
 VectorParts separate_vector(vec3 vector) {
     return VectorParts(vector.x, vector.y, 0.0);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    VectorParts _e4 = separate_vector(vec3(surface.uv, 0.0));
-    float tone_3 = ((_e4.y - 0.14) / 0.72);
-    float _e12 = threshold(tone_3, -0.006, 0.0);
-    float _e15 = threshold(tone_3, 0.006, 0.0);
-    float angles_tone = max((_e12 - _e15), 0.0);
-    vec4 _e31 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
-    float angle_3 = mix(0.0, 3.1415927, ((_e4.x - 0.08) / 0.84));
-    float _e42 = threshold(angle_3, -0.012, 0.0);
-    float _e45 = threshold(angle_3, 0.012, 0.0);
-    float tones_tone = max((_e42 - _e45), 0.0);
-    vec4 tones = max(vec4((_e31.xyz + (tones_tone * (vec3(0.24, 0.26, 0.3) - _e31.xyz))), 1.0), vec4(0.0));
-    float _e65 = threshold(angle_3, 0.492, 0.0);
-    float _e68 = threshold(angle_3, 0.508, 0.0);
-    float offset_tone = max((_e65 - _e68), 0.0);
-    vec4 _e79 = blend_alpha_2_(tones, vec4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
-    float _e82 = threshold(angle_3, 0.942, 0.0);
-    float _e85 = threshold(angle_3, 0.958, 0.0);
-    float falloff_tone = max((_e82 - _e85), 0.0);
-    vec4 _e96 = blend_alpha_2_(_e79, vec4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
-    float _e99 = threshold(angle_3, 1.792, 0.0);
-    float _e102 = threshold(angle_3, 1.808, 0.0);
-    float cutoff_tone = max((_e99 - _e102), 0.0);
-    vec4 _e113 = blend_alpha_2_(_e96, vec4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
-    Angle _e114 = angle_of(angle_3);
-    float _e117 = profile_balanced(_e114, 0.0, lambert_shape);
-    float lambert_off = (tone_3 - _e117);
-    float _e121 = threshold(lambert_off, -0.012, 0.0);
-    float _e124 = threshold(lambert_off, 0.012, 0.0);
-    float lambert_line = (_e121 - _e124);
+    VectorParts place = separate_vector(vec3(surface.uv, 0.0));
+    float tone = ((place.y - 0.14) / 0.72);
+    float angles_tone = max((threshold(tone, -0.006, 0.0) - threshold(tone, 0.006, 0.0)), 0.0);
+    vec4 angles = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
+    float angle = mix(0.0, 3.1415927, ((place.x - 0.08) / 0.84));
+    float tones_tone = max((threshold(angle, -0.012, 0.0) - threshold(angle, 0.012, 0.0)), 0.0);
+    vec4 tones = max(vec4((angles.xyz + (tones_tone * (vec3(0.24, 0.26, 0.3) - angles.xyz))), 1.0), vec4(0.0));
+    float offset_tone = max((threshold(angle, 0.492, 0.0) - threshold(angle, 0.508, 0.0)), 0.0);
+    vec4 offset = blend_alpha_2(tones, vec4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
+    float falloff_tone = max((threshold(angle, 0.942, 0.0) - threshold(angle, 0.958, 0.0)), 0.0);
+    vec4 falloff = blend_alpha_2(offset, vec4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
+    float cutoff_tone = max((threshold(angle, 1.792, 0.0) - threshold(angle, 1.808, 0.0)), 0.0);
+    vec4 cutoff = blend_alpha_2(falloff, vec4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
+    float lambert = profile_balanced(angle_of(angle), 0.0, lambert_shape);
+    float lambert_off = (tone - lambert);
+    float lambert_line = (threshold(lambert_off, -0.012, 0.0) - threshold(lambert_off, 0.012, 0.0));
     float lambert_tone = max(lambert_line, 0.0);
-    vec4 _e135 = blend_alpha_3_(_e113, vec4(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
-    Angle _e136 = angle_of(angle_3);
-    float _e139 = profile_balanced_2_(_e136, 0.0, half_lambert_shape);
-    float half_lambert_off = (tone_3 - _e139);
-    float _e143 = threshold(half_lambert_off, 0.012, 0.0);
-    float _e146 = threshold(half_lambert_off, -0.012, 0.0);
-    float half_lambert_line = (_e146 - _e143);
+    vec4 lambert_2 = blend_alpha_3(cutoff, vec4(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
+    float half_lambert = profile_balanced_2(angle_of(angle), 0.0, half_lambert_shape);
+    float half_lambert_off = (tone - half_lambert);
+    float half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
+    float half_lambert_line = (threshold(half_lambert_off, -0.012, 0.0) - half_lambert_to);
     float half_lambert_tone = max(half_lambert_line, 0.0);
-    vec4 _e157 = blend_alpha_3_(_e135, vec4(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
-    Angle _e158 = angle_of(angle_3);
-    float _e161 = profile_balanced_3_(_e158, 0.0, custom_shape);
-    float custom_off = (tone_3 - _e161);
-    float _e165 = threshold(custom_off, -0.012, 0.0);
-    float _e168 = threshold(custom_off, 0.012, 0.0);
-    float custom_line = (_e165 - _e168);
+    vec4 half_lambert_2 = blend_alpha_3(lambert_2, vec4(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
+    float custom = profile_balanced_3(angle_of(angle), 0.0, custom_shape);
+    float custom_off = (tone - custom);
+    float custom_line = (threshold(custom_off, -0.012, 0.0) - threshold(custom_off, 0.012, 0.0));
     float custom_tone = max(custom_line, 0.0);
-    vec4 _e179 = blend_alpha_3_(_e157, vec4(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
-    return _e179;
+    vec4 custom_2 = blend_alpha_3(half_lambert_2, vec4(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
+    return custom_2;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_uv);
-    Surface surface_1 = Surface(in_.uv);
-    vec4 _e3 = shade(surface_1);
-    out_color = _e3;
+    Surface surface = Surface(in_.uv);
+    out_color = shade(surface);
     return;
 }
 

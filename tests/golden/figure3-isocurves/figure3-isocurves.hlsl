@@ -2,44 +2,59 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // figure3-isocurves.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
     float cut_off;
@@ -49,18 +64,25 @@ struct Look {
     ProfileShape profile_tone_shape;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -97,53 +119,62 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
-float atan2_positive(float y_1, float x)
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
+float atan2_positive(float y, float x)
 {
-    float small = min(y_1, x);
-    float large = max(y_1, x);
+    float small = min(y, x);
+    float large = max(y, x);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x) ? (HALF_PI - a) : a);
+    float t = (small / large);
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2 = (r * r);
+    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x) ? (HALF_PI - a) : a);
 }
 
+/// The angle u in radians.
 float angle_radians(Angle u)
 {
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
 }
 
-float angle_footprint(Angle u_1)
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+float angle_footprint(Angle u)
 {
-    float2 half_ = float2(u_1.half_sin, u_1.half_cos);
+    float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -153,40 +184,41 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_2, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = (u_2.half_sin - 0.0);
-    float2 upper = ((u_2.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_2.half_cos));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < u_2.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+    float2 d = float2(ddx(x), ddy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float step_filtered(float x_3, float edge, float w)
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w)
 {
-    const float _e4 = bounded((x_3 - edge));
+    const float d = bounded((x - edge));
     if ((w < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+        return ((d >= 0.0) ? 1.0 : 0.0);
     }
-    const float _e13 = bounded((_e4 / w));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+    return clamp((0.5 + bounded((d / w))), 0.0, 1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -201,113 +233,113 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y_2 = min((q * q), 1.0);
-    const float _e5 = log2_one_minus(y_2);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float2 profile_place(Angle u_3, ProfileShape shape)
+/// Sine and cosine of half the angle from tau to u.
+float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset)), ((u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset)));
+    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w_1 * w_1) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_4, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape_3.kind == PROFILE_AMBIENT)) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    const float2 _e7 = profile_place(u_4, shape_3);
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
-    if (((shape_3.kind == PROFILE_STEP) | is_narrow)) {
-        const float _e20 = profile_ramp_quick(_e7.x, w_2, shape_3);
-        return _e20;
+    const float2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e22 = profile_soft_quick(_e7.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e22;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_2);
-    float2 turn = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_3);
-    const float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_3);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float threshold(float value, float edge_1, float softness)
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+float threshold(float value, float edge, float softness)
 {
-    const float _e3 = bounded(value);
-    const float _e4 = footprint_of(value);
-    const float _e9 = step_filtered(_e3, edge_1, length(float2(min(_e4, 1000000000000000.0), softness)));
-    return _e9;
+    return step_filtered(bounded(value), edge, length(float2(min(footprint_of(value), 1000000000000000.0), softness)));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    ProfileShape _e23 = look.profile_tone_shape;
-    const float _e24 = profile_balanced(profile_angle, 0.0, _e23);
-    Light _e27 = look.key;
-    const LitLayer _e33 = light_apply(_e27, float4(0.86, 0.8, 0.7, 1.0), _e24);
-    float4 profile_blend = clamp(float4((float3(0.11, 0.13, 0.19) + (_e33.tone * _e33.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e50 = angle_radians(profile_angle);
-    float _e53 = look.offset;
-    const float _e55 = bounded((_e50 - _e53));
-    const float _e58 = threshold(_e55, 0.012, 0.0);
-    const float _e61 = threshold(_e55, -0.012, 0.0);
-    float offset_isocurve_line = (_e61 - _e58);
+    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    const float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
+    const LitLayer profile_lit = light_apply(look.key, float4(0.86, 0.8, 0.7, 1.0), profile_tone);
+    float4 profile_blend = clamp(float4((float3(0.11, 0.13, 0.19) + (profile_lit.tone * profile_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float offset_apart = bounded((angle_radians(profile_angle) - look.offset));
+    const float offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
+    float offset_isocurve_line = (threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to);
     float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    const float4 _e72 = blend_alpha(profile_blend, float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
-    const float _e73 = angle_radians(profile_angle);
-    float _e76 = look.fall_off;
-    const float _e78 = bounded((_e73 - _e76));
-    const float _e81 = threshold(_e78, 0.012, 0.0);
-    const float _e84 = threshold(_e78, -0.012, 0.0);
-    float falloff_isocurve_line = (_e84 - _e81);
+    const float4 offset_isocurve = blend_alpha(profile_blend, float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
+    const float falloff_apart = bounded((angle_radians(profile_angle) - look.fall_off));
+    const float falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
+    float falloff_isocurve_line = (threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to);
     float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    const float4 _e95 = blend_alpha(_e72, float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
-    const float _e96 = angle_radians(profile_angle);
-    float _e99 = look.cut_off;
-    const float _e101 = bounded((_e96 - _e99));
-    const float _e104 = threshold(_e101, 0.012, 0.0);
-    const float _e107 = threshold(_e101, -0.012, 0.0);
-    float cutoff_isocurve_line = (_e107 - _e104);
+    const float4 falloff_isocurve = blend_alpha(offset_isocurve, float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
+    const float cutoff_apart = bounded((angle_radians(profile_angle) - look.cut_off));
+    const float cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
+    float cutoff_isocurve_line = (threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to);
     float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    const float4 _e118 = blend_alpha(_e95, float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
-    return _e118;
+    const float4 cutoff_isocurve = blend_alpha(falloff_isocurve, float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    return cutoff_isocurve;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -319,11 +351,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -338,9 +367,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_2);
-    const float4 _e7 = shade(surface_1);
-    return _e7;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal);
+    return shade(surface);
 }

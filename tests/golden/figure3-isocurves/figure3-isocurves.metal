@@ -13,31 +13,46 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     float cut_off;
@@ -46,17 +61,24 @@ struct Look {
     char _pad4[4];
     ProfileShape profile_tone_shape;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
@@ -73,6 +95,8 @@ constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -81,13 +105,16 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(
     float y
 ) {
@@ -95,81 +122,86 @@ float log2_one_minus(
     return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(
-    float y_1,
+    float y,
     float x
 ) {
-    float small = metal::min(y_1, x);
-    float large = metal::max(y_1, x);
+    float small = metal::min(y, x);
+    float large = metal::max(y, x);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x) ? (HALF_PI - a) : a;
+    float t = small / large;
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y > x) ? (HALF_PI - a) : a;
 }
 
+/// The angle u in radians.
 float angle_radians(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
-    Angle u_1
+    Angle u
 ) {
-    metal::float2 half_ = metal::float2(u_1.half_sin, u_1.half_cos);
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_2,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_2.half_sin - 0.0;
-    metal::float2 upper = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_2.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
-    return _e6;
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return bounded(metal::sqrt(metal::dot(d, d)));
 }
 
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(
-    float x_3,
+    float x,
     float edge,
     float w
 ) {
-    float _e4 = bounded(x_3 - edge);
+    float d = bounded(x - edge);
     if (w < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
+        return (d >= 0.0) ? 1.0 : 0.0;
     }
-    float _e13 = bounded(_e4 / w);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+    return metal::clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
 Composite blend_alpha(
@@ -182,135 +214,136 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(
     float q,
     float exponent
 ) {
-    float y_2 = metal::min(q * q, 1.0);
-    float _e5 = log2_one_minus(y_2);
-    float power = metal::exp2(metal::max(exponent * _e5, -126.0));
+    float y = metal::min(q * q, 1.0);
+    float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
     return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
+/// Sine and cosine of half the angle from tau to u.
 metal::float2 profile_place(
-    Angle u_3,
+    Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset), (u_3.half_cos * shape.half_cos_offset) + (u_3.half_sin * shape.half_sin_offset));
+    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float _e5 = profile_power_quick(s * shape_1.scale, shape_1.exponent);
-    return (s <= 0.0) ? 1.0 : _e5;
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
-    float w_1,
-    ProfileShape shape_2
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w_1 * w_1) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_2.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_4,
-    float w_2,
-    ProfileShape shape_3
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    if (shape_3.kind == PROFILE_AMBIENT) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_4, shape_3);
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
-    if ((shape_3.kind == PROFILE_STEP) | is_narrow) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_3);
-        return _e20;
+    metal::float2 place = profile_place(u, shape);
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_2;
-    metal::float2 turn = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_3);
-    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_3);
-    return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
+    // Half of the quadrature's reach is below 0.1.
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
 float threshold(
     float value,
-    float edge_1,
+    float edge,
     float softness
 ) {
-    float _e3 = bounded(value);
-    float _e4 = footprint_of(value);
-    float _e9 = step_filtered(_e3, edge_1, metal::length(metal::float2(metal::min(_e4, 1000000000000000.0), softness)));
-    return _e9;
+    float footprint_of_value = footprint_of(value);
+    return step_filtered(bounded(value), edge, metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), softness)));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    metal::float3 _e14 = look.key.direction;
-    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    ProfileShape _e23 = look.profile_tone_shape;
-    float _e24 = profile_balanced(profile_angle, 0.0, _e23);
-    Light _e27 = look.key;
-    LitLayer _e33 = light_apply(_e27, metal::float4(0.86, 0.8, 0.7, 1.0), _e24);
-    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.11, 0.13, 0.19) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e50 = angle_radians(profile_angle);
-    float _e53 = look.offset;
-    float _e55 = bounded(_e50 - _e53);
-    float _e58 = threshold(_e55, 0.012, 0.0);
-    float _e61 = threshold(_e55, -0.012, 0.0);
-    float offset_isocurve_line = _e61 - _e58;
+    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
+    LitLayer profile_lit = light_apply(look.key, metal::float4(0.86, 0.8, 0.7, 1.0), profile_tone);
+    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.11, 0.13, 0.19) + (profile_lit.tone * profile_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float offset_apart = bounded(angle_radians(profile_angle) - look.offset);
+    float offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
+    float offset_isocurve_line = threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to;
     float offset_isocurve_tone = metal::max(offset_isocurve_line, 0.0);
-    Composite _e72 = blend_alpha(profile_blend, metal::float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
-    float _e73 = angle_radians(profile_angle);
-    float _e76 = look.fall_off;
-    float _e78 = bounded(_e73 - _e76);
-    float _e81 = threshold(_e78, 0.012, 0.0);
-    float _e84 = threshold(_e78, -0.012, 0.0);
-    float falloff_isocurve_line = _e84 - _e81;
+    Composite offset_isocurve = blend_alpha(profile_blend, metal::float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
+    float falloff_apart = bounded(angle_radians(profile_angle) - look.fall_off);
+    float falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
+    float falloff_isocurve_line = threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to;
     float falloff_isocurve_tone = metal::max(falloff_isocurve_line, 0.0);
-    Composite _e95 = blend_alpha(_e72, metal::float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
-    float _e96 = angle_radians(profile_angle);
-    float _e99 = look.cut_off;
-    float _e101 = bounded(_e96 - _e99);
-    float _e104 = threshold(_e101, 0.012, 0.0);
-    float _e107 = threshold(_e101, -0.012, 0.0);
-    float cutoff_isocurve_line = _e107 - _e104;
+    Composite falloff_isocurve = blend_alpha(offset_isocurve, metal::float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
+    float cutoff_apart = bounded(angle_radians(profile_angle) - look.cut_off);
+    float cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
+    float cutoff_isocurve_line = threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to;
     float cutoff_isocurve_tone = metal::max(cutoff_isocurve_line, 0.0);
-    Composite _e118 = blend_alpha(_e95, metal::float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
-    return _e118;
+    Composite cutoff_isocurve = blend_alpha(falloff_isocurve, metal::float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    return cutoff_isocurve;
 }
 
 struct vs_mainInput {
@@ -327,11 +360,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e14 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -349,9 +379,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal};
-    metal::float4 _e7 = shade(surface_1, look);
-    return fs_mainOutput { _e7 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal};
+    return fs_mainOutput { shade(surface, look) };
 }

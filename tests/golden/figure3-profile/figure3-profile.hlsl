@@ -2,61 +2,83 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // figure3-profile.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
     ProfileShape profile_tone_shape;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -92,24 +114,30 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -119,11 +147,12 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
@@ -135,6 +164,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
@@ -142,73 +175,76 @@ LitLayer light_apply(Light light, float4 color, float tone)
     return litlayer;
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y_1 = min((q * q), 1.0);
-    const float _e5 = log2_one_minus(y_1);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float2 profile_place(Angle u_2, ProfileShape shape)
+/// Sine and cosine of half the angle from tau to u.
+float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape_3.kind == PROFILE_AMBIENT)) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    const float2 _e7 = profile_place(u_3, shape_3);
-    bool is_narrow = ((w_1 > 0.0) & (w_1 >= (3.4641016 * shape_3.edge_deviation)));
-    if (((shape_3.kind == PROFILE_STEP) | is_narrow)) {
-        const float _e20 = profile_ramp_quick(_e7.x, w_1, shape_3);
-        return _e20;
+    const float2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e22 = profile_soft_quick(_e7.x, shape_3);
-    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
-        return _e22;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_1);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_3);
-    const float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_3);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    ProfileShape _e23 = look.profile_tone_shape;
-    const float _e24 = profile_balanced(profile_angle, 0.0, _e23);
-    Light _e27 = look.key;
-    const LitLayer _e33 = light_apply(_e27, float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    float4 profile_blend = clamp(float4((float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    const float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
+    const LitLayer profile_lit = light_apply(look.key, float4(0.949, 0.8941, 0.7843, 1.0), profile_tone);
+    float4 profile_blend = clamp(float4((float3(0.1098, 0.1333, 0.1882) + (profile_lit.tone * profile_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return profile_blend;
 }
 
@@ -221,11 +257,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -240,9 +273,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_2);
-    const float4 _e7 = shade(surface_1);
-    return _e7;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal);
+    return shade(surface);
 }

@@ -13,45 +13,67 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     ProfileShape profile_tone_shape;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
@@ -67,12 +89,16 @@ constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(
     float y
 ) {
@@ -80,26 +106,33 @@ float log2_one_minus(
     return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
     Color color,
@@ -109,90 +142,93 @@ LitLayer light_apply(
     return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(
     float q,
     float exponent
 ) {
-    float y_1 = metal::min(q * q, 1.0);
-    float _e5 = log2_one_minus(y_1);
-    float power = metal::exp2(metal::max(exponent * _e5, -126.0));
+    float y = metal::min(q * q, 1.0);
+    float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
     return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
+/// Sine and cosine of half the angle from tau to u.
 metal::float2 profile_place(
-    Angle u_2,
+    Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset), (u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset));
+    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float _e5 = profile_power_quick(s * shape_1.scale, shape_1.exponent);
-    return (s <= 0.0) ? 1.0 : _e5;
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_2
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_2.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_3,
-    float w_1,
-    ProfileShape shape_3
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    if (shape_3.kind == PROFILE_AMBIENT) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_3, shape_3);
-    bool is_narrow = (w_1 > 0.0) & (w_1 >= (3.4641016 * shape_3.edge_deviation));
-    if ((shape_3.kind == PROFILE_STEP) | is_narrow) {
-        float _e20 = profile_ramp_quick(_e7.x, w_1, shape_3);
-        return _e20;
+    metal::float2 place = profile_place(u, shape);
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_3);
-    if (w_1 < (0.1 * shape_3.edge_deviation)) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    // Half of the quadrature's reach is below 0.1.
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_3);
-    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_3);
-    return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    metal::float3 _e14 = look.key.direction;
-    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    ProfileShape _e23 = look.profile_tone_shape;
-    float _e24 = profile_balanced(profile_angle, 0.0, _e23);
-    Light _e27 = look.key;
-    LitLayer _e33 = light_apply(_e27, metal::float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
+    LitLayer profile_lit = light_apply(look.key, metal::float4(0.949, 0.8941, 0.7843, 1.0), profile_tone);
+    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (profile_lit.tone * profile_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return profile_blend;
 }
 
@@ -210,11 +246,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e14 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -232,9 +265,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal};
-    metal::float4 _e7 = shade(surface_1, look);
-    return fs_mainOutput { _e7 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal};
+    return fs_mainOutput { shade(surface, look) };
 }

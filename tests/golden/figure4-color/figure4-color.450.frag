@@ -4,35 +4,56 @@
 // Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
 // Textures: u_curvature_map 0.
 // figure4-color.json says what to put there and how to draw.
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -48,90 +69,102 @@ layout(binding = 0) uniform sampler2D u_curvature_map;
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
-    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(Light light, vec4 color, float tone) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
-    vec2 place = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_1);
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
     float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float diffuse_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
-    Light _e33 = u_look.key;
-    LitLayer _e35 = light_apply(_e33, _e30, 1.0);
-    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (_e35.tone * _e35.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e62 = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
-    vec3 _e67 = u_look.key.direction;
-    vec3 _e76 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface.normal - _e67))), (0.5 * length((surface.normal + _e76))));
-    float _e84 = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
-    Light _e87 = u_look.key;
-    LitLayer _e88 = light_apply_2_(_e87, _e62, _e84);
-    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 fill_color = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
+    LitLayer fill_lit = light_apply(u_look.key, fill_color, 1.0);
+    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (fill_lit.tone * fill_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 diffuse_color = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
+    Angle diffuse_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float diffuse_tone = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
+    LitLayer diffuse_lit = light_apply_2(u_look.key, diffuse_color, diffuse_tone);
+    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return diffuse_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? _e3 : -(_e3));
-    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal, _e11.x);
-    vec4 _e14 = shade(surface_1);
-    out_color = _e14;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0).x);
+    out_color = shade(surface);
     return;
 }
 

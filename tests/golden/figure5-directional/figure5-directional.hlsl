@@ -1,45 +1,60 @@
 // Directional control: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // figure5-directional.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
+/// What is known before the fragment.
 struct Look {
     float4 highlight_color_convex;
     float4 highlight_color_concave;
@@ -55,6 +70,7 @@ struct Look {
     ProfileShape diffuse_tone_shape;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -62,13 +78,19 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -86,26 +108,13 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float PI = 3.1415927;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape highlight_tone_shape = ConstructProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
+static const ProfileShape highlight_tone_shape = {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -123,32 +132,40 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_5 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return float2(s_5, c);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return float2(s, c);
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -158,21 +175,29 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_6 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_6, c_1));
-    float2 turned = (((s_6 <= 0.0) & (s_6 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
     if ((opacity <= 0.0)) {
@@ -182,6 +207,8 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 float2 light_split(float intensity)
 {
     return float2(min(intensity, 1.0), max(intensity, 1.0));
@@ -194,213 +221,213 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, float4 color, float tone)
 {
-    const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * _e4.y), color.w), (tone * _e4.x));
+    const float2 split = light_split(light.intensity);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(Light light, float4 color, float tone)
 {
-    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split.y), 1.0), split.x);
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer_1;
 }
 
-LitLayer light_apply_3_(Light light_2, float4 color_2, float tone_2)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_3(Light light, float4 color, float tone)
 {
-    float2 split_1 = float2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color_2.xyz * light_2.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer_2;
 }
 
-Angle parametrization_specular_balanced(Light light_3, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_3.direction))), (0.5 * length((d + light_3.direction))));
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_4;
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y_2 = min((q * q), 1.0);
-    const float _e5 = log2_one_minus(y_2);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float2 profile_place(Angle u_2, ProfileShape shape)
+/// Sine and cosine of half the angle from tau to u.
+float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q_1 = (s_1 * shape_2.scale);
-    const float _e8 = log2_one_minus(min((q_1 * q_1), 1.0));
-    return ((s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : min(exp2(max((shape_2.exponent * _e8), -126.0)), 1.0)));
+    float q = (s * shape.scale);
+    const float log2_one_minus_value = log2_one_minus(min((q * q), 1.0));
+    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * log2_one_minus_value), -126.0)), 1.0)));
 }
 
-float profile_soft_quick_3_(float s_2, ProfileShape shape_3)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_3(float s, ProfileShape shape)
 {
-    float q_2 = (s_2 * shape_3.scale);
-    return ((s_2 <= 0.0) ? 1.0 : pow(max((1.0 - (q_2 * q_2)), 0.0), shape_3.exponent));
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_3, float w, ProfileShape shape_4)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-    float from_offset = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_4.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_4, float w_1, ProfileShape shape_5)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
-    float from_offset_1 = (s_4 * (2.0 + ((s_4 * s_4) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_5.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_4 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_6)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape_6.kind == PROFILE_AMBIENT)) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    const float2 _e7 = profile_place(u_3, shape_6);
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_6.edge_deviation)));
-    if (((shape_6.kind == PROFILE_STEP) | is_narrow)) {
-        const float _e20 = profile_ramp_quick(_e7.x, w_2, shape_6);
-        return _e20;
+    const float2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e22 = profile_soft_quick(_e7.x, shape_6);
-    if ((w_2 < (0.1 * shape_6.edge_deviation))) {
-        return _e22;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_2);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_6);
-    const float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_6);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_7)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_4.half_sin * shape_7.half_cos_offset) - (u_4.half_cos * shape_7.half_sin_offset)), ((u_4.half_cos * shape_7.half_cos_offset) + (u_4.half_sin * shape_7.half_sin_offset)));
-    bool is_narrow_1 = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_7.edge_deviation)));
-    if (((shape_7.kind == PROFILE_STEP) | is_narrow_1)) {
-        const float _e30 = profile_ramp_quick(place.x, w_3, shape_7);
-        return _e30;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e32 = profile_soft_quick_2_(place.x, shape_7);
-    if ((w_3 < (0.1 * shape_7.edge_deviation))) {
-        return _e32;
+    const float point_ = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_3);
-    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e58 = profile_soft_quick_2_(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_7);
-    const float _e66 = profile_soft_quick_2_(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_7);
-    return ((((5.0 * _e58) + (8.0 * _e32)) + (5.0 * _e66)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_8)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_5.half_sin * shape_8.half_cos_offset) - (u_5.half_cos * shape_8.half_sin_offset)), ((u_5.half_cos * shape_8.half_cos_offset) + (u_5.half_sin * shape_8.half_sin_offset)));
-    bool is_narrow_2 = ((w_4 > 0.0) & (w_4 >= (3.4641016 * shape_8.edge_deviation)));
-    if ((false | is_narrow_2)) {
-        const float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_8);
-        return _e28;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if ((false | is_narrow)) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick_3_(place_1.x, shape_8);
-    if ((w_4 < (0.1 * shape_8.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick_3(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_2 = (0.19364917 * w_4);
-    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    const float _e56 = profile_soft_quick_3_(((place_1.x * turn_2.y) - (place_1.y * turn_2.x)), shape_8);
-    const float _e64 = profile_soft_quick_3_(((place_1.x * turn_2.y) + (place_1.y * turn_2.x)), shape_8);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick_3(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick_3(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_9)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_9);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_10)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e8 = sin_cos_quick((0.5 * clamp(shift_1, -3.1415927, PI)));
-    const Angle _e9 = angle_turned(angle_1, _e8);
-    const float _e10 = angle_footprint(_e9);
-    const float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_10);
-    return _e11;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * clamp(shift, -3.1415927, PI))));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_11)
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
-    const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_11);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    const float4 _e30 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e33 = look.key;
-    const LitLayer _e35 = light_apply_2_(_e33, _e30, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.0784, 0.0863, 0.1137) + (_e35.tone * _e35.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e62 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    float3 _e67 = look.key.direction;
-    float3 _e76 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - _e67))), (0.5 * length((surface.normal + _e76))));
+    const float4 fill_color = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
+    const LitLayer fill_lit = light_apply_2(look.key, fill_color, 1.0);
+    float4 fill_blend = clamp(float4((float3(0.0784, 0.0863, 0.1137) + (fill_lit.tone * fill_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 diffuse_color = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    ProfileShape _e90 = look.diffuse_tone_shape;
-    const float _e91 = profile_balanced(diffuse_angle, diffuse_warp, _e90);
-    Light _e94 = look.key;
-    const LitLayer _e95 = light_apply_3_(_e94, _e62, _e91);
-    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e95.tone * _e95.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float4 _e111 = look.back_light_color_concave;
-    float4 _e114 = look.back_light_color_convex;
-    float4 _e117 = look.back_light_color_concave;
-    float4 back_light_color = (_e111 + (back_light_convexity * (_e114 - _e117)));
-    float3 _e125 = look.back.direction;
-    float3 _e134 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e125))), (0.5 * length((surface.normal + _e134))));
-    float _e146 = look.back_light_warp_amount;
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e146, -3.1415927, 3.1415927));
-    ProfileShape _e153 = look.back_light_tone_shape;
-    const float _e154 = profile_balanced_2_(back_light_angle, back_light_warp, _e153);
-    Light _e157 = look.back;
-    const LitLayer _e158 = light_apply(_e157, back_light_color, _e154);
-    const float4 _e169 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e158.tone * _e158.color.xyz)), 1.0, _e158.color.w, true);
+    const float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
+    const LitLayer diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
+    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 back_light_color = (look.back_light_color_concave + (back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave)));
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
+    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(look.back_light_warp_amount, -3.1415927, 3.1415927));
+    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
+    const LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
+    const float4 back_light_blend = blend_finish(diffuse_blend, (diffuse_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), 1.0, back_light_lit.color.w, true);
     float highlight_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    float4 _e191 = look.highlight_color_concave;
-    float4 _e194 = look.highlight_color_convex;
-    float4 _e197 = look.highlight_color_concave;
-    float4 highlight_color = (_e191 + (highlight_convexity * (_e194 - _e197)));
-    Light _e203 = look.key;
-    const Angle _e206 = parametrization_specular_balanced(_e203, surface.normal, surface.view);
+    float4 highlight_color = (look.highlight_color_concave + (highlight_convexity * (look.highlight_color_convex - look.highlight_color_concave)));
+    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float _e214 = profile_balanced_3_(_e206, highlight_warp, highlight_tone_shape);
-    Light _e217 = look.key;
-    const LitLayer _e218 = light_apply(_e217, highlight_color, _e214);
-    const float4 _e229 = blend_finish(_e169, (_e169.xyz + (_e218.tone * _e218.color.xyz)), 1.0, _e218.color.w, true);
-    return _e229;
+    const float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp, highlight_tone_shape);
+    const LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
+    const float4 highlight_blend = blend_finish(back_light_blend, (back_light_blend.xyz + (highlight_lit.tone * highlight_lit.color.xyz)), 1.0, highlight_lit.color.w, true);
+    return highlight_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -413,11 +440,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -438,12 +462,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    const float4 _e26 = shade(surface_1);
-    return _e26;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    return shade(surface);
 }

@@ -1,6 +1,6 @@
 // Directional control: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // figure5-directional.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,31 +13,46 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float4 highlight_color_convex;
     metal::float4 highlight_color_concave;
@@ -50,6 +65,7 @@ struct Look {
     ProfileShape back_light_tone_shape;
     ProfileShape diffuse_tone_shape;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -57,12 +73,18 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
@@ -81,21 +103,27 @@ constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_5 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
-    return metal::float2(s_5, c);
+    float y = x * x;
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    return metal::float2(s, c);
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(
     float y
 ) {
@@ -103,27 +131,35 @@ float log2_one_minus(
     return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_6 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_6, c_1);
-    metal::float2 turned = ((s_6 <= 0.0) & (s_6 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -132,6 +168,8 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 Composite blend_finish(
     Composite below,
     metal::float3 blended,
@@ -146,263 +184,265 @@ Composite blend_finish(
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 metal::float2 light_split(
     float intensity
 ) {
     return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
     Color color,
     float tone
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color.xyz * light.color) * _e4.y, color.w), tone * _e4.x};
+    metal::float2 split = light_split(light.intensity);
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, color.w), tone * split.x};
 }
 
-LitLayer light_apply_2_(
-    Light light_1,
-    Color color_1,
-    float tone_1
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(
+    Light light,
+    Color color,
+    float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split.y, 1.0), split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
 }
 
-LitLayer light_apply_3_(
-    Light light_2,
-    Color color_2,
-    float tone_2
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_3(
+    Light light,
+    Color color,
+    float tone
 ) {
-    metal::float2 split_1 = metal::float2(metal::min(light_2.intensity, 1.0), metal::max(light_2.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_2.color) * split_1.y, 1.0), tone_2 * split_1.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_3,
+    Light light,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_3.direction), 0.5 * metal::length(d + light_3.direction)};
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(
     float q,
     float exponent
 ) {
-    float y_2 = metal::min(q * q, 1.0);
-    float _e5 = log2_one_minus(y_2);
-    float power = metal::exp2(metal::max(exponent * _e5, -126.0));
+    float y = metal::min(q * q, 1.0);
+    float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
     return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
+/// Sine and cosine of half the angle from tau to u.
 metal::float2 profile_place(
-    Angle u_2,
+    Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset), (u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset));
+    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float _e5 = profile_power_quick(s * shape_1.scale, shape_1.exponent);
-    return (s <= 0.0) ? 1.0 : _e5;
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
 }
 
-float profile_soft_quick_2_(
-    float s_1,
-    ProfileShape shape_2
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(
+    float s,
+    ProfileShape shape
 ) {
-    float q_1 = s_1 * shape_2.scale;
-    float _e8 = log2_one_minus(metal::min(q_1 * q_1, 1.0));
-    return (s_1 <= 0.0) ? 1.0 : ((q_1 >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape_2.exponent * _e8, -126.0)), 1.0));
+    float q = s * shape.scale;
+    float log2_one_minus_value = log2_one_minus(metal::min(q * q, 1.0));
+    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * log2_one_minus_value, -126.0)), 1.0));
 }
 
-float profile_soft_quick_3_(
-    float s_2,
-    ProfileShape shape_3
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_3(
+    float s,
+    ProfileShape shape
 ) {
-    float q_2 = s_2 * shape_3.scale;
-    return (s_2 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_2 * q_2), 0.0), shape_3.exponent);
+    float q = s * shape.scale;
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_3,
+    float s,
     float w,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
-    float from_offset = s_3 * (2.0 + ((s_3 * s_3) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_4.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_3 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_ramp_quick_2_(
-    float s_4,
-    float w_1,
-    ProfileShape shape_5
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation));
-    float from_offset_1 = s_4 * (2.0 + ((s_4 * s_4) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((shape_5.edge_mean - from_offset_1) / width_1), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_4 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_3,
-    float w_2,
-    ProfileShape shape_6
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    if (shape_6.kind == PROFILE_AMBIENT) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_3, shape_6);
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_6.edge_deviation));
-    if ((shape_6.kind == PROFILE_STEP) | is_narrow) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_6);
-        return _e20;
+    metal::float2 place = profile_place(u, shape);
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_6);
-    if (w_2 < (0.1 * shape_6.edge_deviation)) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_2;
+    // Half of the quadrature's reach is below 0.1.
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_6);
-    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_6);
-    return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_4,
-    float w_3,
-    ProfileShape shape_7
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_4.half_sin * shape_7.half_cos_offset) - (u_4.half_cos * shape_7.half_sin_offset), (u_4.half_cos * shape_7.half_cos_offset) + (u_4.half_sin * shape_7.half_sin_offset));
-    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_7.edge_deviation));
-    if ((shape_7.kind == PROFILE_STEP) | is_narrow_1) {
-        float _e30 = profile_ramp_quick(place.x, w_3, shape_7);
-        return _e30;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e32 = profile_soft_quick_2_(place.x, shape_7);
-    if (w_3 < (0.1 * shape_7.edge_deviation)) {
-        return _e32;
+    float point = profile_soft_quick_2(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_3;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e58 = profile_soft_quick_2_((place.x * turn_1.y) - (place.y * turn_1.x), shape_7);
-    float _e66 = profile_soft_quick_2_((place.x * turn_1.y) + (place.y * turn_1.x), shape_7);
-    return (((5.0 * _e58) + (8.0 * _e32)) + (5.0 * _e66)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_3_(
-    Angle u_5,
-    float w_4,
-    ProfileShape shape_8
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_5.half_sin * shape_8.half_cos_offset) - (u_5.half_cos * shape_8.half_sin_offset), (u_5.half_cos * shape_8.half_cos_offset) + (u_5.half_sin * shape_8.half_sin_offset));
-    bool is_narrow_2 = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_8.edge_deviation));
-    if (false | is_narrow_2) {
-        float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_8);
-        return _e28;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if (false | is_narrow) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick_3_(place_1.x, shape_8);
-    if (w_4 < (0.1 * shape_8.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick_3(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_2 = 0.19364917 * w_4;
-    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e56 = profile_soft_quick_3_((place_1.x * turn_2.y) - (place_1.y * turn_2.x), shape_8);
-    float _e64 = profile_soft_quick_3_((place_1.x * turn_2.y) + (place_1.y * turn_2.x), shape_8);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick_3((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick_3((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_9
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_9);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_10
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e8 = sin_cos_quick(0.5 * metal::clamp(shift_1, -3.1415927, PI));
-    Angle _e9 = angle_turned(angle_1, _e8);
-    float _e10 = angle_footprint(_e9);
-    float _e11 = profile_filtered_quick_2_(_e9, _e10, shape_10);
-    return _e11;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * metal::clamp(shift, -3.1415927, PI)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_11
+float profile_balanced_3(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_11);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
     float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
-    Color _e30 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e33 = look.key;
-    LitLayer _e35 = light_apply_2_(_e33, _e30, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (_e35.tone * _e35.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e62 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
-    metal::float3 _e67 = look.key.direction;
-    metal::float3 _e76 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - _e67), 0.5 * metal::length(surface.normal + _e76)};
+    Color fill_color = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
+    LitLayer fill_lit = light_apply_2(look.key, fill_color, 1.0);
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (fill_lit.tone * fill_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color diffuse_color = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
     float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
-    ProfileShape _e90 = look.diffuse_tone_shape;
-    float _e91 = profile_balanced(diffuse_angle, diffuse_warp, _e90);
-    Light _e94 = look.key;
-    LitLayer _e95 = light_apply_3_(_e94, _e62, _e91);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e95.tone * _e95.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 _e111 = look.back_light_color_concave;
-    metal::float4 _e114 = look.back_light_color_convex;
-    metal::float4 _e117 = look.back_light_color_concave;
-    metal::float4 back_light_color = _e111 + (back_light_convexity * (_e114 - _e117));
-    metal::float3 _e125 = look.back.direction;
-    metal::float3 _e134 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - _e125), 0.5 * metal::length(surface.normal + _e134)};
-    float _e146 = look.back_light_warp_amount;
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e146, -3.1415927, 3.1415927);
-    ProfileShape _e153 = look.back_light_tone_shape;
-    float _e154 = profile_balanced_2_(back_light_angle, back_light_warp, _e153);
-    Light _e157 = look.back;
-    LitLayer _e158 = light_apply(_e157, back_light_color, _e154);
-    Composite _e169 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e158.tone * _e158.color.xyz), 1.0, _e158.color.w, true);
+    float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
+    LitLayer diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
+    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 back_light_color = look.back_light_color_concave + (back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave));
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
+    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(look.back_light_warp_amount, -3.1415927, 3.1415927);
+    float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
+    LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
+    Composite back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz), 1.0, back_light_lit.color.w, true);
     float highlight_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    metal::float4 _e191 = look.highlight_color_concave;
-    metal::float4 _e194 = look.highlight_color_convex;
-    metal::float4 _e197 = look.highlight_color_concave;
-    metal::float4 highlight_color = _e191 + (highlight_convexity * (_e194 - _e197));
-    Light _e203 = look.key;
-    Angle _e206 = parametrization_specular_balanced(_e203, surface.normal, surface.view);
+    metal::float4 highlight_color = look.highlight_color_concave + (highlight_convexity * (look.highlight_color_convex - look.highlight_color_concave));
+    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float _e214 = profile_balanced_3_(_e206, highlight_warp, highlight_tone_shape);
-    Light _e217 = look.key;
-    LitLayer _e218 = light_apply(_e217, highlight_color, _e214);
-    Composite _e229 = blend_finish(_e169, _e169.xyz + (_e218.tone * _e218.color.xyz), 1.0, _e218.color.w, true);
-    return _e229;
+    float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp, highlight_tone_shape);
+    LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
+    Composite highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz + (highlight_lit.tone * highlight_lit.color.xyz), 1.0, highlight_lit.color.w, true);
+    return highlight_blend;
 }
 
 struct vs_mainInput {
@@ -416,15 +456,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -444,17 +481,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

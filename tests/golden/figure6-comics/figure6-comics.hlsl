@@ -1,40 +1,48 @@
 // Comics: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // figure6-comics.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
     Light rim;
     Light fill;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -42,27 +50,41 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -77,26 +99,13 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
+static const ProfileShape key_tone_shape = {0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u};
+static const ProfileShape bounce_tone_shape = {0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u};
+static const ProfileShape light_tone_shape = {0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u};
+static const ProfileShape rim_tone_shape = {0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0, 0.0, 1u};
+static const ProfileShape highlight_tone_shape = {0.99280864, 0.119712204, 0.0, 1.0, 0.24, 0.0, 0.0, 1u};
 
-static const ProfileShape key_tone_shape = ConstructProfileShape(0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u);
-static const ProfileShape bounce_tone_shape = ConstructProfileShape(0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u);
-static const ProfileShape light_tone_shape = ConstructProfileShape(0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u);
-static const ProfileShape rim_tone_shape = ConstructProfileShape(0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0, 0.0, 1u);
-static const ProfileShape highlight_tone_shape = ConstructProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.24, 0.0, 0.0, 1u);
-
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -114,26 +123,32 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
     float y = (x * x);
-    float s_1 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return float2(s_1, c);
+    return float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -143,16 +158,22 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
@@ -175,26 +196,32 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
+Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_2 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+    const Angle angle_2 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
     return angle_2;
 }
 
-Angle parametrization_specular_balanced(Light light_2, float3 normal_1, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_3;
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
     float width = sqrt((w * w));
@@ -203,63 +230,52 @@ float profile_ramp_quick(float s, float w, ProfileShape shape)
     return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
-    return _e15;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const float _e3 = transition_balanced(surface.kappa, 0.35);
-    const float4 _e14 = curvature_color(_e3, float4(0.7059, 0.3412, 0.2902, 1.0), float4(0.2941, 0.1098, 0.2, 1.0));
-    Light _e17 = look.key;
-    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    const float4 _e29 = blend_alpha(float4(0.8863, 0.6275, 0.4353, 1.0), _e19.color, _e19.tone, 1.0, true);
-    const float4 _e40 = curvature_color(_e3, float4(0.9529, 0.6902, 0.4392, 1.0), float4(0.7686, 0.3451, 0.2902, 1.0));
-    Light _e43 = look.key;
-    const Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
-    float key_warp = (((2.0 * _e3) - 1.0) * 0.45);
-    const float _e53 = profile_balanced(_e45, key_warp, key_tone_shape);
-    Light _e56 = look.key;
-    const LitLayer _e57 = light_apply(_e56, _e40, _e53);
-    const float4 _e62 = blend_alpha(_e29, _e57.color, _e57.tone, 1.0, true);
-    const float _e65 = transition_balanced(surface.kappa, 0.3);
-    const float4 _e76 = curvature_color(_e65, float4(0.8157, 0.4863, 0.3686, 1.0), float4(0.549, 0.2275, 0.298, 1.0));
-    Light _e79 = look.fill;
-    const Angle _e81 = parametrization_diffuse_balanced(_e79, surface.normal);
-    float bounce_warp = (((2.0 * _e65) - 1.0) * 0.35);
-    const float _e89 = profile_balanced(_e81, bounce_warp, bounce_tone_shape);
-    Light _e92 = look.fill;
-    const LitLayer _e93 = light_apply(_e92, _e76, _e89);
-    const float4 _e98 = blend_alpha(_e62, _e93.color, _e93.tone, 1.0, true);
-    const float4 _e109 = curvature_color(_e65, float4(1.0, 0.851, 0.6275, 1.0), float4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = (((2.0 * _e65) - 1.0) * 0.3);
-    const float _e117 = profile_balanced(_e45, light_warp, light_tone_shape);
-    Light _e120 = look.key;
-    const LitLayer _e121 = light_apply(_e120, _e109, _e117);
-    const float4 _e126 = blend_alpha(_e98, _e121.color, _e121.tone, 1.0, true);
-    const float _e129 = transition_balanced(surface.kappa, 0.25);
-    const float4 _e140 = curvature_color(_e129, float4(1.0, 0.9569, 0.8627, 1.0), float4(0.949, 0.6588, 0.4196, 1.0));
-    Light _e143 = look.rim;
-    const Angle _e145 = parametrization_diffuse_balanced(_e143, surface.normal);
-    float rim_warp = (((2.0 * _e129) - 1.0) * 0.2);
-    const float _e153 = profile_balanced(_e145, rim_warp, rim_tone_shape);
-    Light _e156 = look.rim;
-    const LitLayer _e157 = light_apply(_e156, _e140, _e153);
-    const float4 _e162 = blend_alpha(_e126, _e157.color, _e157.tone, 1.0, true);
-    const float4 _e173 = curvature_color(_e129, float4(1.0, 0.9804, 0.9412, 1.0), float4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e176 = look.key;
-    const Angle _e179 = parametrization_specular_balanced(_e176, surface.normal, surface.view);
-    float highlight_warp = (((2.0 * _e129) - 1.0) * 0.1);
-    const float _e187 = profile_balanced(_e179, highlight_warp, highlight_tone_shape);
-    Light _e190 = look.key;
-    const LitLayer _e191 = light_apply(_e190, _e173, _e187);
-    const float4 _e196 = blend_alpha(_e162, _e191.color, _e191.tone, 1.0, true);
-    return _e196;
+    const float key_convexity = transition_balanced(surface.kappa, 0.35);
+    const float4 shadow_color = curvature_color(key_convexity, float4(0.7059, 0.3412, 0.2902, 1.0), float4(0.2941, 0.1098, 0.2, 1.0));
+    const LitLayer shadow_lit = light_apply(look.key, shadow_color, 1.0);
+    const float4 shadow_blend = blend_alpha(float4(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
+    const float4 key_color = curvature_color(key_convexity, float4(0.9529, 0.6902, 0.4392, 1.0), float4(0.7686, 0.3451, 0.2902, 1.0));
+    const Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
+    float key_warp = (((2.0 * key_convexity) - 1.0) * 0.45);
+    const float key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
+    const LitLayer key_lit = light_apply(look.key, key_color, key_tone);
+    const float4 key_blend = blend_alpha(shadow_blend, key_lit.color, key_lit.tone, 1.0, true);
+    const float light_convexity = transition_balanced(surface.kappa, 0.3);
+    const float4 bounce_color = curvature_color(light_convexity, float4(0.8157, 0.4863, 0.3686, 1.0), float4(0.549, 0.2275, 0.298, 1.0));
+    const Angle bounce_angle = parametrization_diffuse_balanced(look.fill, surface.normal);
+    float bounce_warp = (((2.0 * light_convexity) - 1.0) * 0.35);
+    const float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    const LitLayer bounce_lit = light_apply(look.fill, bounce_color, bounce_tone);
+    const float4 bounce_blend = blend_alpha(key_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
+    const float4 light_color = curvature_color(light_convexity, float4(1.0, 0.851, 0.6275, 1.0), float4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
+    const float light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
+    const LitLayer light_lit = light_apply(look.key, light_color, light_tone);
+    const float4 light_blend = blend_alpha(bounce_blend, light_lit.color, light_lit.tone, 1.0, true);
+    const float highlight_convexity = transition_balanced(surface.kappa, 0.25);
+    const float4 rim_color = curvature_color(highlight_convexity, float4(1.0, 0.9569, 0.8627, 1.0), float4(0.949, 0.6588, 0.4196, 1.0));
+    const Angle rim_angle = parametrization_diffuse_balanced(look.rim, surface.normal);
+    float rim_warp = (((2.0 * highlight_convexity) - 1.0) * 0.2);
+    const float rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
+    const LitLayer rim_lit = light_apply(look.rim, rim_color, rim_tone);
+    const float4 rim_blend = blend_alpha(light_blend, rim_lit.color, rim_lit.tone, 1.0, true);
+    const float4 highlight_color = curvature_color(highlight_convexity, float4(1.0, 0.9804, 0.9412, 1.0), float4(1.0, 0.8863, 0.7216, 1.0));
+    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.1);
+    const float highlight_tone = profile_balanced(highlight_angle, highlight_warp, highlight_tone_shape);
+    const LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
+    const float4 highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0, true);
+    return highlight_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -272,11 +288,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -297,12 +310,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_4 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    const float4 _e26 = shade(surface_1);
-    return _e26;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    return shade(surface);
 }

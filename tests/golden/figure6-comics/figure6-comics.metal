@@ -1,6 +1,6 @@
 // Comics: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // figure6-comics.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,26 +13,34 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     Light rim;
     Light fill;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -40,23 +48,37 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -74,42 +96,54 @@ constant ProfileShape light_tone_shape = ProfileShape {0.96638995, 0.25708055, 0
 constant ProfileShape rim_tone_shape = ProfileShape {0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0, 0.0, 1u};
 constant ProfileShape highlight_tone_shape = ProfileShape {0.99280864, 0.119712204, 0.0, 1.0, 0.24, 0.0, 0.0, 1u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s_1 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
     float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
-    return metal::float2(s_1, c);
+    return metal::float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_1, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -135,31 +169,37 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
     float s,
     float w,
@@ -174,65 +214,54 @@ float profile_ramp_quick(
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset), _e14, shape_1);
-    return _e15;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float _e3 = transition_balanced(surface.kappa, 0.35);
-    Color _e14 = curvature_color(_e3, metal::float4(0.7059, 0.3412, 0.2902, 1.0), metal::float4(0.2941, 0.1098, 0.2, 1.0));
-    Light _e17 = look.key;
-    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    Composite _e29 = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0), _e19.color, _e19.tone, 1.0, true);
-    Color _e40 = curvature_color(_e3, metal::float4(0.9529, 0.6902, 0.4392, 1.0), metal::float4(0.7686, 0.3451, 0.2902, 1.0));
-    Light _e43 = look.key;
-    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
-    float key_warp = ((2.0 * _e3) - 1.0) * 0.45;
-    float _e53 = profile_balanced(_e45, key_warp, key_tone_shape);
-    Light _e56 = look.key;
-    LitLayer _e57 = light_apply(_e56, _e40, _e53);
-    Composite _e62 = blend_alpha(_e29, _e57.color, _e57.tone, 1.0, true);
-    float _e65 = transition_balanced(surface.kappa, 0.3);
-    Color _e76 = curvature_color(_e65, metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
-    Light _e79 = look.fill;
-    Angle _e81 = parametrization_diffuse_balanced(_e79, surface.normal);
-    float bounce_warp = ((2.0 * _e65) - 1.0) * 0.35;
-    float _e89 = profile_balanced(_e81, bounce_warp, bounce_tone_shape);
-    Light _e92 = look.fill;
-    LitLayer _e93 = light_apply(_e92, _e76, _e89);
-    Composite _e98 = blend_alpha(_e62, _e93.color, _e93.tone, 1.0, true);
-    Color _e109 = curvature_color(_e65, metal::float4(1.0, 0.851, 0.6275, 1.0), metal::float4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = ((2.0 * _e65) - 1.0) * 0.3;
-    float _e117 = profile_balanced(_e45, light_warp, light_tone_shape);
-    Light _e120 = look.key;
-    LitLayer _e121 = light_apply(_e120, _e109, _e117);
-    Composite _e126 = blend_alpha(_e98, _e121.color, _e121.tone, 1.0, true);
-    float _e129 = transition_balanced(surface.kappa, 0.25);
-    Color _e140 = curvature_color(_e129, metal::float4(1.0, 0.9569, 0.8627, 1.0), metal::float4(0.949, 0.6588, 0.4196, 1.0));
-    Light _e143 = look.rim;
-    Angle _e145 = parametrization_diffuse_balanced(_e143, surface.normal);
-    float rim_warp = ((2.0 * _e129) - 1.0) * 0.2;
-    float _e153 = profile_balanced(_e145, rim_warp, rim_tone_shape);
-    Light _e156 = look.rim;
-    LitLayer _e157 = light_apply(_e156, _e140, _e153);
-    Composite _e162 = blend_alpha(_e126, _e157.color, _e157.tone, 1.0, true);
-    Color _e173 = curvature_color(_e129, metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e176 = look.key;
-    Angle _e179 = parametrization_specular_balanced(_e176, surface.normal, surface.view);
-    float highlight_warp = ((2.0 * _e129) - 1.0) * 0.1;
-    float _e187 = profile_balanced(_e179, highlight_warp, highlight_tone_shape);
-    Light _e190 = look.key;
-    LitLayer _e191 = light_apply(_e190, _e173, _e187);
-    Composite _e196 = blend_alpha(_e162, _e191.color, _e191.tone, 1.0, true);
-    return _e196;
+    float key_convexity = transition_balanced(surface.kappa, 0.35);
+    Color shadow_color = curvature_color(key_convexity, metal::float4(0.7059, 0.3412, 0.2902, 1.0), metal::float4(0.2941, 0.1098, 0.2, 1.0));
+    LitLayer shadow_lit = light_apply(look.key, shadow_color, 1.0);
+    Composite shadow_blend = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
+    Color key_color = curvature_color(key_convexity, metal::float4(0.9529, 0.6902, 0.4392, 1.0), metal::float4(0.7686, 0.3451, 0.2902, 1.0));
+    Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
+    float key_warp = ((2.0 * key_convexity) - 1.0) * 0.45;
+    float key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
+    LitLayer key_lit = light_apply(look.key, key_color, key_tone);
+    Composite key_blend = blend_alpha(shadow_blend, key_lit.color, key_lit.tone, 1.0, true);
+    float light_convexity = transition_balanced(surface.kappa, 0.3);
+    Color bounce_color = curvature_color(light_convexity, metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
+    Angle bounce_angle = parametrization_diffuse_balanced(look.fill, surface.normal);
+    float bounce_warp = ((2.0 * light_convexity) - 1.0) * 0.35;
+    float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
+    LitLayer bounce_lit = light_apply(look.fill, bounce_color, bounce_tone);
+    Composite bounce_blend = blend_alpha(key_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
+    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.851, 0.6275, 1.0), metal::float4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
+    float light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
+    LitLayer light_lit = light_apply(look.key, light_color, light_tone);
+    Composite light_blend = blend_alpha(bounce_blend, light_lit.color, light_lit.tone, 1.0, true);
+    float highlight_convexity = transition_balanced(surface.kappa, 0.25);
+    Color rim_color = curvature_color(highlight_convexity, metal::float4(1.0, 0.9569, 0.8627, 1.0), metal::float4(0.949, 0.6588, 0.4196, 1.0));
+    Angle rim_angle = parametrization_diffuse_balanced(look.rim, surface.normal);
+    float rim_warp = ((2.0 * highlight_convexity) - 1.0) * 0.2;
+    float rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
+    LitLayer rim_lit = light_apply(look.rim, rim_color, rim_tone);
+    Composite rim_blend = blend_alpha(light_blend, rim_lit.color, rim_lit.tone, 1.0, true);
+    Color highlight_color = curvature_color(highlight_convexity, metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
+    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.1;
+    float highlight_tone = profile_balanced(highlight_angle, highlight_warp, highlight_tone_shape);
+    LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
+    Composite highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0, true);
+    return highlight_blend;
 }
 
 struct vs_mainInput {
@@ -246,15 +275,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -274,17 +300,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

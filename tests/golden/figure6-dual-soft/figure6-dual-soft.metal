@@ -1,6 +1,6 @@
 // Dual lighting, soft: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // figure6-dual-soft.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,25 +13,33 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light warm;
     Light cool;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -39,23 +47,37 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -71,42 +93,54 @@ constant ProfileShape warm_side_tone_shape = ProfileShape {0.9971888, 0.07492971
 constant ProfileShape cool_side_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1, 0.83293223, 0.33645248, 0u};
 constant ProfileShape sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
     float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
-    return metal::float2(s_2, c);
+    return metal::float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -122,6 +156,9 @@ float transition_balanced(
     return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 Composite blend_add(
     Composite below,
     Color color,
@@ -132,24 +169,29 @@ Composite blend_add(
     return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -158,118 +200,109 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if (w_1 < (0.1 * shape_2.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_3,
-    float w_2,
-    ProfileShape shape_3
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_2;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
-    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float _e3 = transition_balanced(surface.kappa, 0.25);
-    Color _e14 = curvature_color(_e3, metal::float4(0.1137, 0.0941, 0.1333, 1.0), metal::float4(0.0392, 0.0314, 0.0549, 1.0));
-    Light _e17 = look.warm;
-    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    Composite _e29 = blend_add(metal::float4(0.051, 0.0431, 0.0706, 1.0), _e19.color, _e19.tone, 1.0, true);
-    float _e32 = transition_balanced(surface.kappa, 0.22);
-    Color _e43 = curvature_color(_e32, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
-    metal::float3 _e48 = look.warm.direction;
-    metal::float3 _e57 = look.warm.direction;
-    Angle warm_side_angle = Angle {0.5 * metal::length(surface.normal - _e48), 0.5 * metal::length(surface.normal + _e57)};
-    float warm_side_warp = ((2.0 * _e32) - 1.0) * 0.3;
-    float _e70 = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e73 = look.warm;
-    LitLayer _e74 = light_apply(_e73, _e43, _e70);
-    Composite _e79 = blend_add(_e29, _e74.color, _e74.tone, 1.0, true);
-    Color _e90 = curvature_color(_e32, metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
-    metal::float3 _e95 = look.cool.direction;
-    metal::float3 _e104 = look.cool.direction;
-    Angle cool_side_angle = Angle {0.5 * metal::length(surface.normal - _e95), 0.5 * metal::length(surface.normal + _e104)};
-    float cool_side_warp = ((2.0 * _e32) - 1.0) * 0.25;
-    float _e117 = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e120 = look.cool;
-    LitLayer _e121 = light_apply(_e120, _e90, _e117);
-    Composite _e126 = blend_add(_e79, _e121.color, _e121.tone, 1.0, true);
-    float _e129 = transition_balanced(surface.kappa, 0.2);
-    Color _e140 = curvature_color(_e129, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
-    Light _e143 = look.warm;
-    Angle _e146 = parametrization_specular_balanced(_e143, surface.normal, surface.view);
-    float sheen_warp = ((2.0 * _e129) - 1.0) * 0.1;
-    float _e154 = profile_balanced_2_(_e146, sheen_warp, sheen_tone_shape);
-    Light _e157 = look.warm;
-    LitLayer _e158 = light_apply(_e157, _e140, _e154);
-    Composite _e163 = blend_add(_e126, _e158.color, _e158.tone, 1.0, true);
-    return _e163;
+    float fill_convexity = transition_balanced(surface.kappa, 0.25);
+    Color fill_color = curvature_color(fill_convexity, metal::float4(0.1137, 0.0941, 0.1333, 1.0), metal::float4(0.0392, 0.0314, 0.0549, 1.0));
+    LitLayer fill_lit = light_apply(look.warm, fill_color, 1.0);
+    Composite fill_blend = blend_add(metal::float4(0.051, 0.0431, 0.0706, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    float cool_side_convexity = transition_balanced(surface.kappa, 0.22);
+    Color warm_side_color = curvature_color(cool_side_convexity, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
+    Angle warm_side_angle = Angle {0.5 * metal::length(surface.normal - look.warm.direction), 0.5 * metal::length(surface.normal + look.warm.direction)};
+    float warm_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.3;
+    float warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    LitLayer warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
+    Composite warm_side_blend = blend_add(fill_blend, warm_side_lit.color, warm_side_lit.tone, 1.0, true);
+    Color cool_side_color = curvature_color(cool_side_convexity, metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
+    Angle cool_side_angle = Angle {0.5 * metal::length(surface.normal - look.cool.direction), 0.5 * metal::length(surface.normal + look.cool.direction)};
+    float cool_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.25;
+    float cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    LitLayer cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
+    Composite cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0, true);
+    float sheen_convexity = transition_balanced(surface.kappa, 0.2);
+    Color sheen_color = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
+    Angle sheen_angle = parametrization_specular_balanced(look.warm, surface.normal, surface.view);
+    float sheen_warp = ((2.0 * sheen_convexity) - 1.0) * 0.1;
+    float sheen_tone = profile_balanced_2(sheen_angle, sheen_warp, sheen_tone_shape);
+    LitLayer sheen_lit = light_apply(look.warm, sheen_color, sheen_tone);
+    Composite sheen_blend = blend_add(cool_side_blend, sheen_lit.color, sheen_lit.tone, 1.0, true);
+    return sheen_blend;
 }
 
 struct vs_mainInput {
@@ -283,15 +316,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -311,17 +341,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

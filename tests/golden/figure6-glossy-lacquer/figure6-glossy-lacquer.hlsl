@@ -1,39 +1,47 @@
 // Glossy, lacquer: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // figure6-glossy-lacquer.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -41,27 +49,41 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -76,25 +98,12 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
+static const ProfileShape body_tone_shape = {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
+static const ProfileShape soft_reflection_tone_shape = {0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u};
+static const ProfileShape window_tone_shape = {0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u};
+static const ProfileShape back_light_tone_shape = {0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45, 0.28481507, 0.12005855, 0u};
 
-static const ProfileShape body_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-static const ProfileShape soft_reflection_tone_shape = ConstructProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);
-static const ProfileShape window_tone_shape = ConstructProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u);
-static const ProfileShape back_light_tone_shape = ConstructProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45, 0.28481507, 0.12005855, 0u);
-
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -112,26 +121,32 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
     float y = (x * x);
-    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return float2(s_2, c);
+    return float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -141,29 +156,38 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
     return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_alpha(float4 below_1, float4 color_1, float tone_1, float opacity_1, bool clamped_1)
+float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -173,122 +197,118 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_2, float tone_2)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_specular_balanced(Light light_1, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_3;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_2);
-    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_1));
-    const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    const float4 _e30 = curvature_color(back_light_convexity, float4(0.6275, 0.0706, 0.1255, 1.0), float4(0.2353, 0.0157, 0.0627, 1.0));
-    float3 _e35 = look.key.direction;
-    float3 _e44 = look.key.direction;
-    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
+    const float4 body_color = curvature_color(back_light_convexity, float4(0.6275, 0.0706, 0.1255, 1.0), float4(0.2353, 0.0157, 0.0627, 1.0));
+    Angle body_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
     float body_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    const float _e57 = profile_balanced(body_angle, body_warp, body_tone_shape);
-    Light _e60 = look.key;
-    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
-    const float4 _e71 = blend_add(float4(0.1098, 0.0078, 0.0235, 1.0), _e61.color, _e61.tone, 1.0, true);
+    const float body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
+    const LitLayer body_lit = light_apply(look.key, body_color, body_tone);
+    const float4 body_blend = blend_add(float4(0.1098, 0.0078, 0.0235, 1.0), body_lit.color, body_lit.tone, 1.0, true);
     float window_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
-    const float4 _e101 = curvature_color(window_convexity, float4(0.3529, 0.1255, 0.1569, 1.0), float4(0.1412, 0.0314, 0.0627, 1.0));
-    Light _e104 = look.key;
-    const Angle _e107 = parametrization_specular_balanced(_e104, surface.normal, surface.view);
+    const float4 soft_reflection_color = curvature_color(window_convexity, float4(0.3529, 0.1255, 0.1569, 1.0), float4(0.1412, 0.0314, 0.0627, 1.0));
+    const Angle window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float soft_reflection_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    const float _e115 = profile_balanced(_e107, soft_reflection_warp, soft_reflection_tone_shape);
-    Light _e118 = look.key;
-    const LitLayer _e119 = light_apply(_e118, _e101, _e115);
-    const float4 _e124 = blend_add(_e71, _e119.color, _e119.tone, 1.0, true);
-    const float4 _e135 = curvature_color(window_convexity, float4(1.0, 0.949, 0.9098, 1.0), float4(0.7843, 0.4549, 0.4863, 1.0));
+    const float soft_reflection_tone = profile_balanced(window_angle, soft_reflection_warp, soft_reflection_tone_shape);
+    const LitLayer soft_reflection_lit = light_apply(look.key, soft_reflection_color, soft_reflection_tone);
+    const float4 soft_reflection_blend = blend_add(body_blend, soft_reflection_lit.color, soft_reflection_lit.tone, 1.0, true);
+    const float4 window_color = curvature_color(window_convexity, float4(1.0, 0.949, 0.9098, 1.0), float4(0.7843, 0.4549, 0.4863, 1.0));
     float window_warp = (((2.0 * window_convexity) - 1.0) * 0.06);
-    const float _e143 = profile_balanced_2_(_e107, window_warp, window_tone_shape);
-    Light _e146 = look.key;
-    const LitLayer _e147 = light_apply(_e146, _e135, _e143);
-    const float4 _e152 = blend_alpha(_e124, _e147.color, _e147.tone, 0.95, true);
-    const float4 _e163 = curvature_color(back_light_convexity, float4(0.3647, 0.4706, 0.6588, 1.0), float4(0.149, 0.2039, 0.3529, 1.0));
-    float3 _e168 = look.back.direction;
-    float3 _e177 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - _e168))), (0.5 * length((surface.normal + _e177))));
+    const float window_tone = profile_balanced_2(window_angle, window_warp, window_tone_shape);
+    const LitLayer window_lit = light_apply(look.key, window_color, window_tone);
+    const float4 window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone, 0.95, true);
+    const float4 back_light_color = curvature_color(back_light_convexity, float4(0.3647, 0.4706, 0.6588, 1.0), float4(0.149, 0.2039, 0.3529, 1.0));
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    const float _e190 = profile_balanced_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e193 = look.back;
-    const LitLayer _e194 = light_apply(_e193, _e163, _e190);
-    const float4 _e199 = blend_add(_e152, _e194.color, _e194.tone, 1.0, true);
-    return _e199;
+    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, back_light_tone_shape);
+    const LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
+    const float4 back_light_blend = blend_add(window_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
+    return back_light_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -301,11 +321,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -326,12 +343,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    const float4 _e26 = shade(surface_1);
-    return _e26;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    return shade(surface);
 }

@@ -2,33 +2,40 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // figure6-manga-contours.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light eye;
     row_major float3x3 camera_from_world;
@@ -36,32 +43,47 @@ struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -75,21 +97,8 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
-static const ProfileShape shadow_tone_shape = ConstructProfileShape(0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u);
-static const ProfileShape contour_tone_shape = ConstructProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u);
+static const ProfileShape shadow_tone_shape = {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u};
+static const ProfileShape contour_tone_shape = {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -107,26 +116,32 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
     float y = (x * x);
-    float s_1 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return float2(s_1, c);
+    return float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -136,16 +151,22 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
@@ -168,20 +189,26 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_1, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
+    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
     return angle_2;
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
     float width = sqrt((w * w));
@@ -190,40 +217,30 @@ float profile_ramp_quick(float s, float w, ProfileShape shape)
     return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_1)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
-    return _e15;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle inked_hollows_angle = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    const float _e22 = transition_balanced(surface.kappa, 0.3);
-    float shadow_warp = (((2.0 * _e22) - 1.0) * 0.35);
-    const float _e30 = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    Light _e33 = look.key;
-    const LitLayer _e39 = light_apply(_e33, float4(0.9843, 0.9765, 0.9569, 1.0), _e30);
-    const float4 _e49 = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0), _e39.color, _e39.tone, 0.5, true);
-    const float _e52 = transition_balanced(surface.kappa, 0.5);
-    const float4 _e60 = curvature_color(_e52, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e63 = look.key;
-    const LitLayer _e65 = light_apply(_e63, _e60, 1.0);
-    float4 inked_hollows_blend = clamp(float4((_e49.xyz * (_e65.tone * _e65.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e81 = look.eye;
-    float3x3 _e85 = look.camera_from_world;
-    const Angle _e86 = parametrization_screen_aligned_balanced(_e81, surface.normal, _e85);
-    const float _e89 = transition_balanced(surface.kappa, 0.12);
-    float contour_warp = (((2.0 * _e89) - 1.0) * 0.3);
-    const float _e97 = profile_balanced(_e86, contour_warp, contour_tone_shape);
-    Light _e100 = look.eye;
-    const LitLayer _e103 = light_apply(_e100, (1.0).xxxx, _e97);
-    float4 contour_blend = clamp(float4((inked_hollows_blend.xyz * (_e103.tone * _e103.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Angle inked_hollows_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    float shadow_warp = (((2.0 * transition_balanced(surface.kappa, 0.3)) - 1.0) * 0.35);
+    const float shadow_tone = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    const LitLayer shadow_lit = light_apply(look.key, float4(0.9843, 0.9765, 0.9569, 1.0), shadow_tone);
+    const float4 shadow_blend = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color, shadow_lit.tone, 0.5, true);
+    const float inked_hollows_convexity = transition_balanced(surface.kappa, 0.5);
+    const float4 inked_hollows_color = curvature_color(inked_hollows_convexity, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
+    const LitLayer inked_hollows_lit = light_apply(look.key, inked_hollows_color, 1.0);
+    float4 inked_hollows_blend = clamp(float4((shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
+    float contour_warp = (((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.3);
+    const float contour_tone = profile_balanced(contour_angle, contour_warp, contour_tone_shape);
+    const LitLayer contour_lit = light_apply(look.eye, (1.0).xxxx, contour_tone);
+    float4 contour_blend = clamp(float4((inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return contour_blend;
 }
 
@@ -236,11 +253,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -260,10 +274,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, _e11.x);
-    const float4 _e14 = shade(surface_1);
-    return _e14;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
+    return shade(surface);
 }

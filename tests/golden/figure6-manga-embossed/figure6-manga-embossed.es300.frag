@@ -8,37 +8,58 @@
 precision highp float;
 precision highp int;
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light above;
     mat3x3 camera_from_world;
     Light below;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -55,121 +76,130 @@ uniform highp sampler2D u_curvature_map;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
     float y = (x * x);
-    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return vec2(s_2, c);
+    return vec2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
     return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_1, vec3 normal, mat3x3 camera_from_world) {
+Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 camera_from_world) {
     vec3 d = (camera_from_world * normal);
-    return Angle((0.5 * length((d - light_1.own_direction))), (0.5 * length((d + light_1.own_direction))));
+    return Angle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2) {
-    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift));
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float light_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
-    Light _e33 = u_look.below;
-    mat3x3 _e37 = u_look.camera_from_world;
-    Angle _e38 = parametrization_screen_aligned_balanced(_e33, surface.normal, _e37);
+    vec4 dark_side_color = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
+    Angle dark_side_angle = parametrization_screen_aligned_balanced(u_look.below, surface.normal, u_look.camera_from_world);
     float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    float _e46 = profile_balanced(_e38, light_side_warp, dark_side_tone_shape);
-    Light _e49 = u_look.below;
-    LitLayer _e50 = light_apply(_e49, _e30, _e46);
-    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), _e50.color.xyz, _e50.tone)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e76 = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e79 = u_look.above;
-    mat3x3 _e83 = u_look.camera_from_world;
-    Angle _e84 = parametrization_screen_aligned_balanced(_e79, surface.normal, _e83);
-    float _e86 = profile_balanced(_e84, light_side_warp, light_side_tone_shape);
-    Light _e89 = u_look.above;
-    LitLayer _e90 = light_apply(_e89, _e76, _e86);
-    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (_e90.tone * (_e90.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float dark_side_tone = profile_balanced(dark_side_angle, light_side_warp, dark_side_tone_shape);
+    LitLayer dark_side_lit = light_apply(u_look.below, dark_side_color, dark_side_tone);
+    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), dark_side_lit.color.xyz, dark_side_lit.tone)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 light_side_color = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
+    Angle light_side_angle = parametrization_screen_aligned_balanced(u_look.above, surface.normal, u_look.camera_from_world);
+    float light_side_tone = profile_balanced(light_side_angle, light_side_warp, light_side_tone_shape);
+    LitLayer light_side_lit = light_apply(u_look.above, light_side_color, light_side_tone);
+    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
     float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.4), -20.0, 20.0))))))));
-    vec4 _e132 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e135 = u_look.above;
-    LitLayer _e137 = light_apply(_e135, _e132, 1.0);
-    vec4 hollows_blend = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e137.tone * _e137.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 hollows_color = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
+    LitLayer hollows_lit = light_apply(u_look.above, hollows_color, 1.0);
+    vec4 hollows_blend = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return hollows_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_1, _e11.x);
-    vec4 _e14 = shade(surface_1);
-    out_color = _e14;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0).x);
+    out_color = shade(surface);
     return;
 }
 

@@ -1,45 +1,60 @@
 // Beetle: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // figure7-beetle.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
+/// What is known before the fragment.
 struct Look {
     float4 hollows_color_concave;
     Light key;
@@ -51,6 +66,7 @@ struct Look {
     ProfileShape wing_case_tone_shape;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -58,13 +74,19 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -82,28 +104,15 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape violet_tone_shape = ConstructProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
-static const ProfileShape gold_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
-static const ProfileShape green_sheen_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
-static const ProfileShape glint_tone_shape = ConstructProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u);
+static const ProfileShape violet_tone_shape = {0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u};
+static const ProfileShape gold_tone_shape = {0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u};
+static const ProfileShape green_sheen_tone_shape = {0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u};
+static const ProfileShape glint_tone_shape = {0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -121,32 +130,40 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y_1 = (x * x);
-    float s_4 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return float2(s_4, c);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return float2(s, c);
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -156,21 +173,29 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_5 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_5, c_1));
-    float2 turned = (((s_5 <= 0.0) & (s_5 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
     if ((opacity <= 0.0)) {
@@ -180,12 +205,16 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    const float4 _e11 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), 1.0, color.w, clamped_1);
-    return _e11;
+    return blend_finish(below, (below.xyz + (tone * color.xyz)), 1.0, color.w, clamped);
 }
 
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 float2 light_split(float intensity)
 {
     return float2(min(intensity, 1.0), max(intensity, 1.0));
@@ -198,210 +227,210 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
-    const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
+    const float2 split = light_split(light.intensity);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(Light light, float4 color, float tone)
 {
-    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_2 * split.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer_1;
 }
 
-LitLayer light_apply_3_(Light light_2, float4 color_3, float tone_3)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_3(Light light, float4 color, float tone)
 {
-    float2 split_1 = float2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color_3.xyz * light_2.color) * split_1.y), color_3.w), split_1.x);
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), split.x);
     return litlayer_2;
 }
 
-Angle parametrization_specular_balanced(Light light_3, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
     float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light_3.direction))), (0.5 * length((d + light_3.direction))));
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_4;
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y_2 = min((q * q), 1.0);
-    const float _e5 = log2_one_minus(y_2);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-float2 profile_place(Angle u_2, ProfileShape shape)
+/// Sine and cosine of half the angle from tau to u.
+float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_2)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q_1 = (s_1 * shape_2.scale);
-    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_3)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-    float from_offset_1 = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_4.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape_5.kind == PROFILE_AMBIENT)) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    const float2 _e7 = profile_place(u_3, shape_5);
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation)));
-    if (((shape_5.kind == PROFILE_STEP) | is_narrow)) {
-        const float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
-        return _e20;
+    const float2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e22 = profile_soft_quick(_e7.x, shape_5);
-    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
-        return _e22;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_2);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_5);
-    const float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_5);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
-    const float _e19 = profile_soft_quick_2_(place.x, shape_6);
-    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_3);
-    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e45 = profile_soft_quick_2_(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_6);
-    const float _e53 = profile_soft_quick_2_(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_6);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_7)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset)), ((u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset)));
-    bool is_narrow_1 = ((w_4 > 0.0) & (w_4 >= (3.4641016 * shape_7.edge_deviation)));
-    if ((false | is_narrow_1)) {
-        const float _e28 = profile_ramp_quick_2_(place_1.x, w_4, shape_7);
-        return _e28;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    if ((false | is_narrow)) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick_2_(place_1.x, shape_7);
-    if ((w_4 < (0.1 * shape_7.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_2 = (0.19364917 * w_4);
-    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    const float _e56 = profile_soft_quick_2_(((place_1.x * turn_2.y) - (place_1.y * turn_2.x)), shape_7);
-    const float _e64 = profile_soft_quick_2_(((place_1.x * turn_2.y) + (place_1.y * turn_2.x)), shape_7);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_8)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_8);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_1));
-    const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10)
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_2));
-    const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float glint_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    float4 _e22 = look.wing_case_color_concave;
-    float4 _e25 = look.wing_case_color_convex;
-    float4 _e28 = look.wing_case_color_concave;
-    float4 wing_case_color = (_e22 + (glint_convexity * (_e25 - _e28)));
-    float3 _e36 = look.key.direction;
-    float3 _e45 = look.key.direction;
-    Angle hollows_angle = ConstructAngle((0.5 * length((surface.normal - _e36))), (0.5 * length((surface.normal + _e45))));
+    float4 wing_case_color = (look.wing_case_color_concave + (glint_convexity * (look.wing_case_color_convex - look.wing_case_color_concave)));
+    Angle hollows_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
     float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
-    ProfileShape _e59 = look.wing_case_tone_shape;
-    const float _e60 = profile_balanced(hollows_angle, wing_case_warp, _e59);
-    Light _e63 = look.key;
-    const LitLayer _e64 = light_apply(_e63, wing_case_color, _e60);
-    const float4 _e74 = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), _e64.color, _e64.tone, 1.0, true);
-    const float4 _e85 = curvature_color(glint_convexity, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
-    Light _e88 = look.side;
-    const Angle _e91 = parametrization_specular_balanced(_e88, surface.normal, surface.view);
+    const float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
+    const LitLayer wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
+    const float4 wing_case_blend = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
+    const float4 violet_color = curvature_color(glint_convexity, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
+    const Angle violet_angle = parametrization_specular_balanced(look.side, surface.normal, surface.view);
     float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
-    const float _e99 = profile_balanced_2_(_e91, gold_warp, violet_tone_shape);
-    Light _e102 = look.side;
-    const LitLayer _e103 = light_apply_2_(_e102, _e85, _e99);
-    float4 violet_blend = clamp(float4((_e74.xyz + (_e103.tone * _e103.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float4 _e119 = look.gold_color_convex;
-    const float4 _e125 = curvature_color(glint_convexity, _e119, float4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e128 = look.key;
-    const Angle _e131 = parametrization_specular_balanced(_e128, surface.normal, surface.view);
-    const float _e133 = profile_balanced_3_(_e131, gold_warp, gold_tone_shape);
-    Light _e136 = look.key;
-    const LitLayer _e137 = light_apply(_e136, _e125, _e133);
-    const float4 _e148 = blend_finish(violet_blend, (violet_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0, _e137.color.w, true);
-    float4 _e151 = look.green_sheen_color_convex;
-    const float4 _e157 = curvature_color(glint_convexity, _e151, float4(0.1647, 0.5412, 0.3529, 1.0));
+    const float violet_tone = profile_balanced_2(violet_angle, gold_warp, violet_tone_shape);
+    const LitLayer violet_lit = light_apply_2(look.side, violet_color, violet_tone);
+    float4 violet_blend = clamp(float4((wing_case_blend.xyz + (violet_lit.tone * violet_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 gold_color = curvature_color(glint_convexity, look.gold_color_convex, float4(0.2902, 0.3529, 0.0627, 1.0));
+    const Angle glint_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    const float gold_tone = profile_balanced_3(glint_angle, gold_warp, gold_tone_shape);
+    const LitLayer gold_lit = light_apply(look.key, gold_color, gold_tone);
+    const float4 gold_blend = blend_finish(violet_blend, (violet_blend.xyz + (gold_lit.tone * gold_lit.color.xyz)), 1.0, gold_lit.color.w, true);
+    const float4 green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, float4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    const float _e165 = profile_balanced_3_(_e131, green_sheen_warp, green_sheen_tone_shape);
-    Light _e168 = look.key;
-    const LitLayer _e169 = light_apply(_e168, _e157, _e165);
-    const float4 _e180 = blend_finish(_e148, (_e148.xyz + (_e169.tone * _e169.color.xyz)), 1.0, _e169.color.w, true);
-    const float4 _e188 = curvature_color(glint_convexity, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
+    const float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
+    const LitLayer green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
+    const float4 green_sheen_blend = blend_finish(gold_blend, (gold_blend.xyz + (green_sheen_lit.tone * green_sheen_lit.color.xyz)), 1.0, green_sheen_lit.color.w, true);
+    const float4 glint_color = curvature_color(glint_convexity, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
-    const float _e196 = profile_balanced_3_(_e131, glint_warp, glint_tone_shape);
-    Light _e199 = look.key;
-    const LitLayer _e200 = light_apply_2_(_e199, _e188, _e196);
-    float4 glint_blend = clamp(float4((_e180.xyz + (_e200.tone * (_e200.color.xyz - _e180.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
+    const LitLayer glint_lit = light_apply_2(look.key, glint_color, glint_tone);
+    float4 glint_blend = clamp(float4((green_sheen_blend.xyz + (glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    float4 _e237 = look.hollows_color_concave;
-    float4 _e242 = look.hollows_color_concave;
-    float4 hollows_color = (_e237 + (hollows_convexity * ((1.0).xxxx - _e242)));
-    Light _e248 = look.key;
-    const LitLayer _e250 = light_apply_3_(_e248, hollows_color, 1.0);
-    const float4 _e261 = blend_finish(glint_blend, (glint_blend.xyz * (_e250.tone * _e250.color.xyz)), 1.0, _e250.color.w, true);
-    return _e261;
+    float4 hollows_color = (look.hollows_color_concave + (hollows_convexity * ((1.0).xxxx - look.hollows_color_concave)));
+    const LitLayer hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
+    const float4 hollows_blend = blend_finish(glint_blend, (glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)), 1.0, hollows_lit.color.w, true);
+    return hollows_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -414,11 +443,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -439,12 +465,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    const float4 _e26 = shade(surface_1);
-    return _e26;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    return shade(surface);
 }

@@ -7,41 +7,63 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light eye;
     mat3x3 camera_from_world;
     Light key;
     Light side;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -64,40 +86,53 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
     float y = (x * x);
-    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return vec2(s_2, c);
+    return vec2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_4 = (u_2.half_sin - 0.0);
-    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_2.half_cos));
-    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
@@ -106,144 +141,133 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha_2(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_shade(vec4 below_2, vec4 color_2, float tone_2, float opacity_2, bool clamped_2) {
-    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz * mix(vec3(1.0), color_2.xyz, tone_2)) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_shade(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz * mix(vec3(1.0), color.xyz, tone)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_3, float tone_3) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
     vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_2, vec3 normal_1, mat3x3 camera_from_world) {
-    vec3 d_1 = (camera_from_world * normal_1);
-    return Angle((0.5 * length((d_1 - light_2.own_direction))), (0.5 * length((d_1 + light_2.own_direction))));
+Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 camera_from_world) {
+    vec3 d = (camera_from_world * normal);
+    return Angle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2) {
-    vec2 place = vec2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3) {
-    vec2 place_1 = vec2(((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset)), ((u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift));
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(light_convexity, vec4(0.9373, 0.9137, 0.8627, 1.0), vec4(0.7216, 0.6706, 0.5882, 1.0));
-    vec3 _e35 = u_look.key.direction;
-    vec3 _e44 = u_look.key.direction;
-    Angle tone_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
+    vec4 tone_color = curvature_color(light_convexity, vec4(0.9373, 0.9137, 0.8627, 1.0), vec4(0.7216, 0.6706, 0.5882, 1.0));
+    Angle tone_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
     float tone_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    float _e57 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
-    Light _e60 = u_look.key;
-    LitLayer _e61 = light_apply(_e60, _e30, _e57);
-    vec4 _e71 = blend_alpha(vec4(0.7255, 0.698, 0.6431, 1.0), _e61.color, _e61.tone, 1.0, true);
-    vec4 _e82 = curvature_color(light_convexity, vec4(0.8118, 0.7765, 0.7137, 1.0), vec4(0.5608, 0.5098, 0.4392, 1.0));
-    vec3 _e87 = u_look.side.direction;
-    vec3 _e96 = u_look.side.direction;
-    Angle shade_angle = Angle((0.5 * length((surface.normal - _e87))), (0.5 * length((surface.normal + _e96))));
+    float tone_tone = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
+    LitLayer tone_lit = light_apply(u_look.key, tone_color, tone_tone);
+    vec4 tone_blend = blend_alpha(vec4(0.7255, 0.698, 0.6431, 1.0), tone_lit.color, tone_lit.tone, 1.0, true);
+    vec4 shade_color = curvature_color(light_convexity, vec4(0.8118, 0.7765, 0.7137, 1.0), vec4(0.5608, 0.5098, 0.4392, 1.0));
+    Angle shade_angle = Angle((0.5 * length((surface.normal - u_look.side.direction))), (0.5 * length((surface.normal + u_look.side.direction))));
     float shade_warp = (((2.0 * light_convexity) - 1.0) * -0.2);
-    float _e109 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e112 = u_look.side;
-    LitLayer _e113 = light_apply(_e112, _e82, _e109);
-    vec4 _e118 = blend_shade(_e71, _e113.color, _e113.tone, 0.8, true);
-    Light _e121 = u_look.key;
-    Angle _e124 = parametrization_specular_balanced(_e121, surface.normal, surface.view);
-    float _e127 = profile_balanced_2_(_e124, 0.0, light_tone_shape);
-    Light _e130 = u_look.key;
-    LitLayer _e133 = light_apply(_e130, vec4(1.0), _e127);
-    vec4 _e138 = blend_alpha_2_(_e118, _e133.color, _e133.tone, 0.6, true);
-    Light _e141 = u_look.eye;
-    mat3x3 _e145 = u_look.camera_from_world;
-    Angle _e146 = parametrization_screen_aligned_balanced(_e141, surface.normal, _e145);
+    float shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    LitLayer shade_lit = light_apply(u_look.side, shade_color, shade_tone);
+    vec4 shade_blend = blend_shade(tone_blend, shade_lit.color, shade_lit.tone, 0.8, true);
+    Angle light_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
+    LitLayer light_lit = light_apply(u_look.key, vec4(1.0), light_tone);
+    vec4 light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6, true);
+    Angle edge_angle = parametrization_screen_aligned_balanced(u_look.eye, surface.normal, u_look.camera_from_world);
     float edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
     float edge_warp = (((2.0 * edge_convexity) - 1.0) * 0.2);
-    float _e173 = profile_balanced_3_(_e146, edge_warp, edge_tone_shape);
-    Light _e176 = u_look.eye;
-    LitLayer _e179 = light_apply(_e176, vec4(1.0), _e173);
-    vec4 edge_blend = clamp(vec4((_e138.xyz + (0.55 * ((_e138.xyz * (_e179.tone * _e179.color.xyz)) - _e138.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float edge_tone = profile_balanced_3(edge_angle, edge_warp, edge_tone_shape);
+    LitLayer edge_lit = light_apply(u_look.eye, vec4(1.0), edge_tone);
+    vec4 edge_blend = clamp(vec4((light_blend.xyz + (0.55 * ((light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz)) - light_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return edge_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    vec4 _e26 = shade(surface_1);
-    out_color = _e26;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    out_color = shade(surface);
     return;
 }
 

@@ -9,14 +9,14 @@ precision highp float;
 precision highp int;
 
 
-vec4 whole_picture(uint index_1) {
-    return vec4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+/// A triangle over the whole picture.
+vec4 whole_picture(uint index) {
+    return vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    vec4 _e1 = whole_picture(index);
-    gl_Position = _e1;
+    gl_Position = whole_picture(index);
     return;
 }
 

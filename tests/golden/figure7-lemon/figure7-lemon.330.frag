@@ -7,18 +7,26 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     Light fill;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -26,22 +34,36 @@ struct Surface {
     vec3 position_object;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -68,10 +90,15 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
@@ -79,242 +106,244 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-vec2 sin_cos_quick(float x_1) {
-    float y = (x_1 * x_1);
-    float s_2 = (x_1 * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+vec2 sin_cos_quick(float x) {
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return vec2(s_2, c);
+    return vec2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_4 = (u_2.half_sin - 0.0);
-    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_2.half_cos));
-    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_3, float low, float high) {
-    float _e3 = bounded(x_3);
-    float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_3 = clamp(_e7, 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float length_of(vec3 v_2) {
-    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest_2 < SMALLEST_NORMAL)) {
+/// The length of v, also where its square would over- or underflow.
+float length_of(vec3 v) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if ((largest < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e16 = bounded((largest_2 * length((v_2 / vec3(largest_2)))));
-    return _e16;
+    return bounded((largest * length((v / vec3(largest)))));
 }
 
-float footprint_of_vec3_(vec3 v_3) {
-    vec3 dx_1 = dFdx(v_3);
-    vec3 dy_1 = dFdy(v_3);
-    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
-    float _e4 = length_of(along_x.xyz);
-    float _e6 = length_of(along_y.xyz);
-    float largest_3 = max(_e4, _e6);
-    if (((largest_3 < 1e-18) || (largest_3 > 1e18))) {
+    float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (((largest < 1e-18) || (largest > 1e18))) {
         return normal;
     }
-    vec3 s_5 = (along_x.xyz / vec3(largest_3));
-    vec3 t_4 = (along_y.xyz / vec3(largest_3));
-    vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_4, normal);
-    vec3 up = cross(normal, s_5);
-    float area = dot(s_5, right);
+    vec3 s = (along_x.xyz / vec3(largest));
+    vec3 t = (along_y.xyz / vec3(largest));
+    vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest)), vec2(-1000000.0), vec2(1000000.0));
+    vec3 right = cross(t, normal);
+    vec3 up = cross(normal, s);
+    float area = dot(s, right);
     if ((abs(area) < 1e-6)) {
         return normal;
     }
     vec3 slope = (((rise.x * right) + (rise.y * up)) / vec3(area));
     float steepness = length(slope);
     vec3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    vec3 _e50 = normalize_or((normal - limited), normal);
-    return _e50;
+    return normalize_or((normal - limited), normal);
 }
 
-vec3 bump_map(float height, float scale, vec3 normal_1, vec3 position) {
+/// Bump map
+///
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
+vec3 bump_map(float height, float scale, vec3 normal, vec3 position) {
     float raised = (height * scale);
-    vec3 _e5 = dFdx(position);
-    float _e6 = dFdx(raised);
-    vec4 along_x_1 = vec4(_e5, _e6);
-    vec3 _e8 = dFdy(position);
-    float _e9 = dFdy(raised);
-    vec4 along_y_1 = vec4(_e8, _e9);
-    vec3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
-    return _e11;
+    vec4 along_x = vec4(dFdx(position), dFdx(raised));
+    vec4 along_y = vec4(dFdy(position), dFdy(raised));
+    return bumped_normal(along_x, along_y, normal);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha_2(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_shade(vec4 below_2, vec4 color_2, float tone_2, float opacity_2, bool clamped_2) {
-    return clamp(vec4((below_2.xyz + (0.75 * ((below_2.xyz * mix(vec3(1.0), color_2.xyz, tone_2)) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_shade(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (0.75 * ((below.xyz * mix(vec3(1.0), color.xyz, tone)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_3, float tone_3) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
-    vec3 d_1 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    return Angle((0.5 * length((d_1 - light_1.direction))), (0.5 * length((d_1 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2) {
-    vec2 place = vec2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_2, ProfileShape shape_3) {
-    vec2 place_1 = vec2(((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset)), ((u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift));
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_5);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
-    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_4 = uvec3(0u);
-    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_4;
-    uvec3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_4;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
     float a = ((axis == 0u) ? d.y : d.x);
@@ -322,144 +351,112 @@ float gradient_dot(uvec3 hash, vec3 d) {
     return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_2) {
-    return (((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - vec3(15.0))) + vec3(10.0)));
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+vec3 fade_quintic(vec3 t) {
+    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
-float perlin_noise(vec3 p, uint seed_2) {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d_2 = (p - corner);
-    vec3 _e4 = fade_quintic(d_2);
-    ivec3 cell_1 = ivec3(corner);
+    vec3 d = (p - corner);
+    vec3 f = fade_quintic(d);
+    ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e46 = i;
-            i = (_e46 + 1);
+            i = (i + 1);
         }
         loop_init = false;
-        int _e10 = i;
-        if ((_e10 < 8)) {
+        if ((i < 8)) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            ivec3 at = ivec3((_e13 & 1), ((_e16 >> 1u) & 1), (_e21 >> 2u));
-            vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at, ivec3(1)));
-            float _e32 = sum;
-            uvec3 _e39 = lattice_hash((cell_1 + at), seed_2);
-            float _e42 = gradient_dot(_e39, (d_2 - vec3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)))));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_3, float w_3) {
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i_1 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
-    bool loop_init_1 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            int _e66 = i_1;
-            i_1 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_1 = false;
-        int _e17 = i_1;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_1;
-            vec3 place_2 = clamp(((p_1 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_1;
-            float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
-            octave = mix(0.5, _e50, visible);
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
-float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4) {
-    vec3 p_2 = (position_1 * scale_1);
-    float _e7 = footprint_of_vec3_(p_2);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
-    return _e8;
+float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float shade_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(shade_convexity, vec4(0.9725, 0.8784, 0.2902, 1.0), vec4(0.8627, 0.7059, 0.1176, 1.0));
-    float _e36 = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
-    vec3 _e40 = bump_map(_e36, 0.035, surface.normal, surface.position);
-    vec3 _e44 = u_look.key.direction;
-    vec3 _e52 = u_look.key.direction;
-    Angle flesh_angle = Angle((0.5 * length((_e40 - _e44))), (0.5 * length((_e40 + _e52))));
+    vec4 flesh_color = curvature_color(shade_convexity, vec4(0.9725, 0.8784, 0.2902, 1.0), vec4(0.8627, 0.7059, 0.1176, 1.0));
+    float pores = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
+    vec3 rind = bump_map(pores, 0.035, surface.normal, surface.position);
+    Angle flesh_angle = Angle((0.5 * length((rind - u_look.key.direction))), (0.5 * length((rind + u_look.key.direction))));
     float flesh_warp = (((2.0 * shade_convexity) - 1.0) * 0.2);
-    float _e65 = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
-    Light _e68 = u_look.key;
-    LitLayer _e69 = light_apply(_e68, _e30, _e65);
-    vec4 _e79 = blend_alpha(vec4(0.4196, 0.3529, 0.0235, 1.0), _e69.color, _e69.tone, 1.0, true);
-    vec4 _e90 = curvature_color(shade_convexity, vec4(0.6902, 0.549, 0.0784, 1.0), vec4(0.5608, 0.4235, 0.0627, 1.0));
-    vec3 _e94 = u_look.fill.direction;
-    vec3 _e102 = u_look.fill.direction;
-    Angle shade_angle = Angle((0.5 * length((_e40 - _e94))), (0.5 * length((_e40 + _e102))));
+    float flesh_tone = profile_balanced(flesh_angle, flesh_warp, flesh_tone_shape);
+    LitLayer flesh_lit = light_apply(u_look.key, flesh_color, flesh_tone);
+    vec4 flesh_blend = blend_alpha(vec4(0.4196, 0.3529, 0.0235, 1.0), flesh_lit.color, flesh_lit.tone, 1.0, true);
+    vec4 shade_color = curvature_color(shade_convexity, vec4(0.6902, 0.549, 0.0784, 1.0), vec4(0.5608, 0.4235, 0.0627, 1.0));
+    Angle shade_angle = Angle((0.5 * length((rind - u_look.fill.direction))), (0.5 * length((rind + u_look.fill.direction))));
     float shade_warp = (((2.0 * shade_convexity) - 1.0) * 0.1);
-    float _e115 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e118 = u_look.fill;
-    LitLayer _e119 = light_apply(_e118, _e90, _e115);
-    vec4 _e124 = blend_shade(_e79, _e119.color, _e119.tone, 0.75, true);
-    Light _e127 = u_look.key;
-    Angle _e129 = parametrization_specular_balanced(_e127, _e40, surface.view);
-    float _e132 = profile_balanced_2_(_e129, 0.0, waxy_sheen_tone_shape);
-    Light _e135 = u_look.key;
-    LitLayer _e141 = light_apply(_e135, vec4(0.4157, 0.3922, 0.1882, 1.0), _e132);
-    vec4 waxy_sheen_blend = clamp(vec4((_e124.xyz + (0.55 * ((_e124.xyz + (_e141.tone * _e141.color.xyz)) - _e124.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e163 = profile_balanced_3_(_e129, 0.0, glint_tone_shape);
-    Light _e166 = u_look.key;
-    LitLayer _e169 = light_apply(_e166, vec4(1.0), _e163);
-    vec4 _e174 = blend_alpha_2_(waxy_sheen_blend, _e169.color, _e169.tone, 0.85, true);
-    return _e174;
+    float shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    LitLayer shade_lit = light_apply(u_look.fill, shade_color, shade_tone);
+    vec4 shade_blend = blend_shade(flesh_blend, shade_lit.color, shade_lit.tone, 0.75, true);
+    Angle glint_angle = parametrization_specular_balanced(u_look.key, rind, surface.view);
+    float waxy_sheen_tone = profile_balanced_2(glint_angle, 0.0, waxy_sheen_tone_shape);
+    LitLayer waxy_sheen_lit = light_apply(u_look.key, vec4(0.4157, 0.3922, 0.1882, 1.0), waxy_sheen_tone);
+    vec4 waxy_sheen_blend = clamp(vec4((shade_blend.xyz + (0.55 * ((shade_blend.xyz + (waxy_sheen_lit.tone * waxy_sheen_lit.color.xyz)) - shade_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float glint_tone = profile_balanced_3(glint_angle, 0.0, glint_tone_shape);
+    LitLayer glint_lit = light_apply(u_look.key, vec4(1.0), glint_tone);
+    vec4 glint_blend = blend_alpha_2(waxy_sheen_blend, glint_lit.color, glint_lit.tone, 0.85, true);
+    return glint_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e25 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object, _e25.x);
-    vec4 _e28 = shade(surface_1);
-    out_color = _e28;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position, in_.position_object, texel.x);
+    out_color = shade(surface);
     return;
 }
 

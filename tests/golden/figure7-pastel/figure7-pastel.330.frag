@@ -7,24 +7,39 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
@@ -37,17 +52,24 @@ struct Look {
     float light_blend_opacity;
     float reddish_rim_blend_opacity;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
 struct Varyings {
@@ -72,38 +94,52 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y_1 = (x * x);
-    float s_4 = (x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 2.6347564e-6)))))))));
-    float c = (1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (2.477458e-5 - (y_1 * 2.6297516e-7))))))))));
-    return vec2(s_4, c);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return vec2(s, c);
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y) {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_5 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
-    vec2 turned = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
@@ -112,6 +148,8 @@ float transition_balanced(float kappa, float slope) {
     return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
     if ((opacity <= 0.0)) {
         return below;
@@ -120,200 +158,191 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_shade(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
-    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz * mix(vec3(1.0), color_1.xyz, tone_1)) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_shade(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz * mix(vec3(1.0), color.xyz, tone)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
-    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
+    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
 }
 
-Angle parametrization_specular_balanced(Light light_2, vec3 normal_1, vec3 view) {
-    vec3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
-    return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent) {
-    float y_2 = min((q * q), 1.0);
-    float _e5 = log2_one_minus(y_2);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-vec2 profile_place(Angle u_2, ProfileShape shape) {
-    return vec2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+/// Sine and cosine of half the angle from tau to u.
+vec2 profile_place(Angle u, ProfileShape shape) {
+    return vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1) {
-    float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape) {
+    float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
-    float q_1 = (s_1 * shape_2.scale);
-    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
-    float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4) {
-    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-    float from_offset_1 = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_4.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5) {
-    if ((shape_5.kind == PROFILE_AMBIENT)) {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    vec2 _e7 = profile_place(u_3, shape_5);
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_5.edge_deviation)));
-    if (((shape_5.kind == PROFILE_STEP) || is_narrow)) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
-        return _e20;
+    vec2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) || is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_5);
-    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_2);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_5);
-    float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_5);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6) {
-    vec2 place = vec2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
-    bool is_narrow_1 = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_6.edge_deviation)));
-    if ((false || is_narrow_1)) {
-        float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
-        return _e28;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
+    if ((false || is_narrow)) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick_2_(place.x, shape_6);
-    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_3);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick_2_(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_6);
-    float _e64 = profile_soft_quick_2_(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_6);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_5, float w_4, ProfileShape shape_7) {
-    vec2 place_1 = vec2(((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset)), ((u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset)));
-    float _e19 = profile_soft_quick_2_(place_1.x, shape_7);
-    if ((w_4 < (0.1 * shape_7.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_2 = (0.19364917 * w_4);
-    vec2 turn_2 = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e45 = profile_soft_quick_2_(((place_1.x * turn_2.y) - (place_1.y * turn_2.x)), shape_7);
-    float _e53 = profile_soft_quick_2_(((place_1.x * turn_2.y) + (place_1.y * turn_2.x)), shape_7);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_8) {
-    vec2 _e8 = sin_cos_quick((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e9 = angle_turned(angle, _e8);
-    float _e10 = angle_footprint(_e9);
-    float _e11 = profile_filtered_quick(_e9, _e10, shape_8);
-    return _e11;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * clamp(shift, -3.1415927, PI))));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_9) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_10) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_2));
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
-    return _e8;
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float _e3 = transition_balanced(surface.kappa, 0.14);
-    vec4 _e14 = curvature_color(_e3, vec4(0.9647, 0.9059, 0.8157, 1.0), vec4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e17 = u_look.key;
-    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    vec4 _e29 = blend_shade(vec4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
-    vec4 _e40 = curvature_color(_e3, vec4(0.7686, 0.4157, 0.2824, 1.0), vec4(0.4863, 0.1765, 0.1216, 1.0));
-    Light _e43 = u_look.cool;
-    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
-    float _e52 = u_look.shade_warp_amount;
-    float shade_warp = (((2.0 * _e3) - 1.0) * clamp(_e52, -3.1415927, 3.1415927));
-    ProfileShape _e59 = u_look.shade_tone_shape;
-    float _e60 = profile_balanced(_e45, shade_warp, _e59);
-    Light _e63 = u_look.cool;
-    LitLayer _e64 = light_apply(_e63, _e40, _e60);
-    float _e76 = u_look.shade_blend_opacity;
-    vec4 _e78 = blend_finish(_e29, (_e29.xyz * mix(vec3(1.0), _e64.color.xyz, _e64.tone)), 1.0, _e76, true);
-    vec4 _e89 = curvature_color(_e3, vec4(1.0, 0.9725, 0.9176, 1.0), vec4(0.9098, 0.7059, 0.5686, 1.0));
-    Light _e92 = u_look.key;
-    Angle _e94 = parametrization_diffuse_balanced(_e92, surface.normal);
-    float _e101 = u_look.light_warp_amount;
-    float light_warp = (((2.0 * _e3) - 1.0) * clamp(_e101, -3.1415927, 3.1415927));
-    ProfileShape _e108 = u_look.light_tone_shape;
-    float _e109 = profile_balanced(_e94, light_warp, _e108);
-    Light _e112 = u_look.key;
-    LitLayer _e113 = light_apply(_e112, _e89, _e109);
-    float _e125 = u_look.light_blend_opacity;
-    vec4 _e127 = blend_finish(_e78, (_e78.xyz + (_e113.tone * (_e113.color.xyz - _e78.xyz))), 1.0, _e125, true);
-    float _e130 = transition_balanced(surface.kappa, 0.3);
-    vec4 _e138 = curvature_color(_e130, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e141 = u_look.key;
-    Angle _e144 = parametrization_specular_balanced(_e141, surface.normal, surface.view);
-    float white_chalk_warp = (((2.0 * _e130) - 1.0) * 0.3);
-    float _e152 = profile_balanced_2_(_e144, white_chalk_warp, white_chalk_tone_shape);
-    Light _e155 = u_look.key;
-    LitLayer _e156 = light_apply(_e155, _e138, _e152);
-    vec4 _e161 = blend_alpha(_e127, _e156.color, _e156.tone, 0.85, true);
-    float _e164 = transition_balanced(surface.kappa, 0.2);
-    vec4 _e175 = curvature_color(_e164, vec4(0.7059, 0.3294, 0.2275, 1.0), vec4(0.4784, 0.1647, 0.1098, 1.0));
-    Light _e178 = u_look.back;
-    Angle _e180 = parametrization_diffuse_balanced(_e178, surface.normal);
-    float reddish_rim_warp = (((2.0 * _e164) - 1.0) * 0.1);
-    float _e188 = profile_balanced_3_(_e180, reddish_rim_warp, reddish_rim_tone_shape);
-    Light _e191 = u_look.back;
-    LitLayer _e192 = light_apply(_e191, _e175, _e188);
-    float _e204 = u_look.reddish_rim_blend_opacity;
-    vec4 _e206 = blend_finish(_e161, (_e161.xyz * mix(vec3(1.0), _e192.color.xyz, _e192.tone)), 1.0, _e204, true);
-    return _e206;
+    float light_convexity = transition_balanced(surface.kappa, 0.14);
+    vec4 hollows_color = curvature_color(light_convexity, vec4(0.9647, 0.9059, 0.8157, 1.0), vec4(0.6118, 0.2902, 0.1961, 1.0));
+    LitLayer hollows_lit = light_apply(u_look.key, hollows_color, 1.0);
+    vec4 hollows_blend = blend_shade(vec4(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
+    vec4 shade_color = curvature_color(light_convexity, vec4(0.7686, 0.4157, 0.2824, 1.0), vec4(0.4863, 0.1765, 0.1216, 1.0));
+    Angle shade_angle = parametrization_diffuse_balanced(u_look.cool, surface.normal);
+    float shade_warp = (((2.0 * light_convexity) - 1.0) * clamp(u_look.shade_warp_amount, -3.1415927, 3.1415927));
+    float shade_tone = profile_balanced(shade_angle, shade_warp, u_look.shade_tone_shape);
+    LitLayer shade_lit = light_apply(u_look.cool, shade_color, shade_tone);
+    vec4 shade_blend = blend_finish(hollows_blend, (hollows_blend.xyz * mix(vec3(1.0), shade_lit.color.xyz, shade_lit.tone)), 1.0, u_look.shade_blend_opacity, true);
+    vec4 light_color = curvature_color(light_convexity, vec4(1.0, 0.9725, 0.9176, 1.0), vec4(0.9098, 0.7059, 0.5686, 1.0));
+    Angle light_angle = parametrization_diffuse_balanced(u_look.key, surface.normal);
+    float light_warp = (((2.0 * light_convexity) - 1.0) * clamp(u_look.light_warp_amount, -3.1415927, 3.1415927));
+    float light_tone = profile_balanced(light_angle, light_warp, u_look.light_tone_shape);
+    LitLayer light_lit = light_apply(u_look.key, light_color, light_tone);
+    vec4 light_blend = blend_finish(shade_blend, (shade_blend.xyz + (light_lit.tone * (light_lit.color.xyz - shade_blend.xyz))), 1.0, u_look.light_blend_opacity, true);
+    float white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
+    vec4 white_chalk_color = curvature_color(white_chalk_convexity, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
+    Angle white_chalk_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
+    float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
+    LitLayer white_chalk_lit = light_apply(u_look.key, white_chalk_color, white_chalk_tone);
+    vec4 white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone, 0.85, true);
+    float reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
+    vec4 reddish_rim_color = curvature_color(reddish_rim_convexity, vec4(0.7059, 0.3294, 0.2275, 1.0), vec4(0.4784, 0.1647, 0.1098, 1.0));
+    Angle reddish_rim_angle = parametrization_diffuse_balanced(u_look.back, surface.normal);
+    float reddish_rim_warp = (((2.0 * reddish_rim_convexity) - 1.0) * 0.1);
+    float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    LitLayer reddish_rim_lit = light_apply(u_look.back, reddish_rim_color, reddish_rim_tone);
+    vec4 reddish_rim_blend = blend_finish(white_chalk_blend, (white_chalk_blend.xyz * mix(vec3(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone)), 1.0, u_look.reddish_rim_blend_opacity, true);
+    return reddish_rim_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    vec4 _e26 = shade(surface_1);
-    out_color = _e26;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    out_color = shade(surface);
     return;
 }
 

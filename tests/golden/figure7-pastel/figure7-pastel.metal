@@ -1,6 +1,6 @@
 // Pastel: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // figure7-pastel.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,31 +13,46 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
@@ -53,6 +68,7 @@ struct Look {
     float reddish_rim_blend_opacity;
     char _pad10[4];
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -60,12 +76,18 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
@@ -85,21 +107,27 @@ constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
 constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
-    float y_1 = x * x;
-    float s_4 = x * (1.0 + (y_1 * (-0.16666666 + (y_1 * (0.0083332425 + (y_1 * (-0.0001982274 + (y_1 * 0.0000026347564))))))));
-    float c = 1.0 + (y_1 * (-0.5 + (y_1 * (0.04166666 + (y_1 * (-0.0013888652 + (y_1 * (0.00002477458 - (y_1 * 0.00000026297516)))))))));
-    return metal::float2(s_4, c);
+    float y = x * x;
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    return metal::float2(s, c);
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(
     float y
 ) {
@@ -107,27 +135,35 @@ float log2_one_minus(
     return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_5, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_5 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_5, c_1);
-    metal::float2 turned = ((s_5 <= 0.0) & (s_5 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -143,6 +179,8 @@ float transition_balanced(
     return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 Composite blend_finish(
     Composite below,
     metal::float3 blended,
@@ -158,256 +196,250 @@ Composite blend_finish(
 }
 
 Composite blend_alpha(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_1
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_shade(
-    Composite below_2,
-    Color color_1,
-    float tone_1,
-    float opacity_2,
-    bool clamped_2
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1)) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_2,
-    float tone_2
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(
     float q,
     float exponent
 ) {
-    float y_2 = metal::min(q * q, 1.0);
-    float _e5 = log2_one_minus(y_2);
-    float power = metal::exp2(metal::max(exponent * _e5, -126.0));
+    float y = metal::min(q * q, 1.0);
+    float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
     return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
+/// Sine and cosine of half the angle from tau to u.
 metal::float2 profile_place(
-    Angle u_2,
+    Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset), (u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset));
+    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float _e5 = profile_power_quick(s * shape_1.scale, shape_1.exponent);
-    return (s <= 0.0) ? 1.0 : _e5;
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
 }
 
-float profile_soft_quick_2_(
-    float s_1,
-    ProfileShape shape_2
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(
+    float s,
+    ProfileShape shape
 ) {
-    float q_1 = s_1 * shape_2.scale;
-    return (s_1 <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q_1 * q_1), 0.0), shape_2.exponent);
+    float q = s * shape.scale;
+    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_2,
+    float s,
     float w,
-    ProfileShape shape_3
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
-    float from_offset = s_2 * (2.0 + ((s_2 * s_2) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_3.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_2 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
-float profile_ramp_quick_2_(
-    float s_3,
-    float w_1,
-    ProfileShape shape_4
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
-    float from_offset_1 = s_3 * (2.0 + ((s_3 * s_3) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((shape_4.edge_mean - from_offset_1) / width_1), 0.0, 1.0);
-    return (w_1 <= 0.0) ? ((s_3 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_3,
-    float w_2,
-    ProfileShape shape_5
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    if (shape_5.kind == PROFILE_AMBIENT) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
-    metal::float2 _e7 = profile_place(u_3, shape_5);
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_5.edge_deviation));
-    if ((shape_5.kind == PROFILE_STEP) | is_narrow) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
-        return _e20;
+    metal::float2 place = profile_place(u, shape);
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_5);
-    if (w_2 < (0.1 * shape_5.edge_deviation)) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_2;
+    // Half of the quadrature's reach is below 0.1.
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e48 = profile_soft_quick((_e7.x * turn.y) - (_e7.y * turn.x), shape_5);
-    float _e56 = profile_soft_quick((_e7.x * turn.y) + (_e7.y * turn.x), shape_5);
-    return (((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_4,
-    float w_3,
-    ProfileShape shape_6
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset), (u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset));
-    bool is_narrow_1 = (w_3 > 0.0) & (w_3 >= (3.4641016 * shape_6.edge_deviation));
-    if (false | is_narrow_1) {
-        float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
-        return _e28;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    if (false | is_narrow) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick_2_(place.x, shape_6);
-    if (w_3 < (0.1 * shape_6.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick_2(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_3;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick_2_((place.x * turn_1.y) - (place.y * turn_1.x), shape_6);
-    float _e64 = profile_soft_quick_2_((place.x * turn_1.y) + (place.y * turn_1.x), shape_6);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_3_(
-    Angle u_5,
-    float w_4,
-    ProfileShape shape_7
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_5.half_sin * shape_7.half_cos_offset) - (u_5.half_cos * shape_7.half_sin_offset), (u_5.half_cos * shape_7.half_cos_offset) + (u_5.half_sin * shape_7.half_sin_offset));
-    float _e19 = profile_soft_quick_2_(place_1.x, shape_7);
-    if (w_4 < (0.1 * shape_7.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick_2(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_2 = 0.19364917 * w_4;
-    metal::float2 turn_2 = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e45 = profile_soft_quick_2_((place_1.x * turn_2.y) - (place_1.y * turn_2.x), shape_7);
-    float _e53 = profile_soft_quick_2_((place_1.x * turn_2.y) + (place_1.y * turn_2.x), shape_7);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_8
+    ProfileShape shape
 ) {
-    metal::float2 _e8 = sin_cos_quick(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e9 = angle_turned(angle, _e8);
-    float _e10 = angle_footprint(_e9);
-    float _e11 = profile_filtered_quick(_e9, _e10, shape_8);
-    return _e11;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * metal::clamp(shift, -3.1415927, PI)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_9
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_9);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_10
+float profile_balanced_3(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_10);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float _e3 = transition_balanced(surface.kappa, 0.14);
-    Color _e14 = curvature_color(_e3, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e17 = look.key;
-    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    Composite _e29 = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
-    Color _e40 = curvature_color(_e3, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
-    Light _e43 = look.cool;
-    Angle _e45 = parametrization_diffuse_balanced(_e43, surface.normal);
-    float _e52 = look.shade_warp_amount;
-    float shade_warp = ((2.0 * _e3) - 1.0) * metal::clamp(_e52, -3.1415927, 3.1415927);
-    ProfileShape _e59 = look.shade_tone_shape;
-    float _e60 = profile_balanced(_e45, shade_warp, _e59);
-    Light _e63 = look.cool;
-    LitLayer _e64 = light_apply(_e63, _e40, _e60);
-    float _e76 = look.shade_blend_opacity;
-    Composite _e78 = blend_finish(_e29, _e29.xyz * metal::mix(metal::float3(1.0), _e64.color.xyz, _e64.tone), 1.0, _e76, true);
-    Color _e89 = curvature_color(_e3, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
-    Light _e92 = look.key;
-    Angle _e94 = parametrization_diffuse_balanced(_e92, surface.normal);
-    float _e101 = look.light_warp_amount;
-    float light_warp = ((2.0 * _e3) - 1.0) * metal::clamp(_e101, -3.1415927, 3.1415927);
-    ProfileShape _e108 = look.light_tone_shape;
-    float _e109 = profile_balanced(_e94, light_warp, _e108);
-    Light _e112 = look.key;
-    LitLayer _e113 = light_apply(_e112, _e89, _e109);
-    float _e125 = look.light_blend_opacity;
-    Composite _e127 = blend_finish(_e78, _e78.xyz + (_e113.tone * (_e113.color.xyz - _e78.xyz)), 1.0, _e125, true);
-    float _e130 = transition_balanced(surface.kappa, 0.3);
-    Color _e138 = curvature_color(_e130, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e141 = look.key;
-    Angle _e144 = parametrization_specular_balanced(_e141, surface.normal, surface.view);
-    float white_chalk_warp = ((2.0 * _e130) - 1.0) * 0.3;
-    float _e152 = profile_balanced_2_(_e144, white_chalk_warp, white_chalk_tone_shape);
-    Light _e155 = look.key;
-    LitLayer _e156 = light_apply(_e155, _e138, _e152);
-    Composite _e161 = blend_alpha(_e127, _e156.color, _e156.tone, 0.85, true);
-    float _e164 = transition_balanced(surface.kappa, 0.2);
-    Color _e175 = curvature_color(_e164, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
-    Light _e178 = look.back;
-    Angle _e180 = parametrization_diffuse_balanced(_e178, surface.normal);
-    float reddish_rim_warp = ((2.0 * _e164) - 1.0) * 0.1;
-    float _e188 = profile_balanced_3_(_e180, reddish_rim_warp, reddish_rim_tone_shape);
-    Light _e191 = look.back;
-    LitLayer _e192 = light_apply(_e191, _e175, _e188);
-    float _e204 = look.reddish_rim_blend_opacity;
-    Composite _e206 = blend_finish(_e161, _e161.xyz * metal::mix(metal::float3(1.0), _e192.color.xyz, _e192.tone), 1.0, _e204, true);
-    return _e206;
+    float light_convexity = transition_balanced(surface.kappa, 0.14);
+    Color hollows_color = curvature_color(light_convexity, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
+    LitLayer hollows_lit = light_apply(look.key, hollows_color, 1.0);
+    Composite hollows_blend = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
+    Color shade_color = curvature_color(light_convexity, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
+    Angle shade_angle = parametrization_diffuse_balanced(look.cool, surface.normal);
+    float shade_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(look.shade_warp_amount, -3.1415927, 3.1415927);
+    float shade_tone = profile_balanced(shade_angle, shade_warp, look.shade_tone_shape);
+    LitLayer shade_lit = light_apply(look.cool, shade_color, shade_tone);
+    Composite shade_blend = blend_finish(hollows_blend, hollows_blend.xyz * metal::mix(metal::float3(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity, true);
+    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
+    Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
+    float light_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(look.light_warp_amount, -3.1415927, 3.1415927);
+    float light_tone = profile_balanced(light_angle, light_warp, look.light_tone_shape);
+    LitLayer light_lit = light_apply(look.key, light_color, light_tone);
+    Composite light_blend = blend_finish(shade_blend, shade_blend.xyz + (light_lit.tone * (light_lit.color.xyz - shade_blend.xyz)), 1.0, look.light_blend_opacity, true);
+    float white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
+    Color white_chalk_color = curvature_color(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
+    Angle white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float white_chalk_warp = ((2.0 * white_chalk_convexity) - 1.0) * 0.3;
+    float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
+    LitLayer white_chalk_lit = light_apply(look.key, white_chalk_color, white_chalk_tone);
+    Composite white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone, 0.85, true);
+    float reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
+    Color reddish_rim_color = curvature_color(reddish_rim_convexity, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
+    Angle reddish_rim_angle = parametrization_diffuse_balanced(look.back, surface.normal);
+    float reddish_rim_warp = ((2.0 * reddish_rim_convexity) - 1.0) * 0.1;
+    float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    LitLayer reddish_rim_lit = light_apply(look.back, reddish_rim_color, reddish_rim_tone);
+    Composite reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz * metal::mix(metal::float3(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0, look.reddish_rim_blend_opacity, true);
+    return reddish_rim_blend;
 }
 
 struct vs_mainInput {
@@ -421,15 +453,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -449,17 +478,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -6,14 +6,16 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
 };
@@ -30,25 +32,33 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// The slope n.xy / n.z of a normal in camera axes.
 vec2 slope_of(vec3 normal) {
     return (normal.xy / vec2(max(normal.z, 0.2)));
 }
 
-vec4 surface_texel(vec3 normal_1, float depth, float number) {
-    vec2 _e3 = slope_of(normal_1);
-    return vec4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+vec4 surface_texel(vec3 normal, float depth, float number) {
+    vec2 slope_of_value = slope_of(normal);
+    return vec4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
+/// The normal that the curvature pass sees.
 vec3 shade(Surface surface) {
     return surface.normal;
 }
@@ -57,26 +67,19 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     bool local = false;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec4 _e6 = u_view.eye;
-    float _e11 = u_view.eye.w;
-    vec3 toward = normalize((_e6.xyz - (_e11 * in_.position)));
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 toward = normalize((u_view.eye.xyz - (u_view.eye.w * in_.position)));
     if (!(is_front)) {
-        local = (dot(_e3, toward) < -0.1);
+        local = (dot(facing, toward) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
-    vec3 normal_2 = (is_behind ? -(_e3) : _e3);
-    Surface surface_1 = Surface(normal_2);
-    mat4x4 _e29 = u_view.camera_from_world;
-    vec3 _e30 = shade(surface_1);
-    vec3 seen = (_e29 * vec4(_e30, 0.0)).xyz;
-    mat4x4 _e37 = u_view.camera_from_world;
-    float depth_1 = -((_e37 * vec4(in_.position, 1.0)).z);
-    float _e46 = u_object.id;
-    vec4 _e49 = surface_texel(seen, depth_1, (_e46 + 1.0));
-    out_color = _e49;
+    vec3 normal = (is_behind ? -(facing) : facing);
+    Surface surface = Surface(normal);
+    vec3 seen = (u_view.camera_from_world * vec4(shade(surface), 0.0)).xyz;
+    float depth = -((u_view.camera_from_world * vec4(in_.position, 1.0)).z);
+    out_color = surface_texel(seen, depth, (u_object.id + 1.0));
     return;
 }
 

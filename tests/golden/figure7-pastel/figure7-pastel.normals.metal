@@ -13,15 +13,17 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
@@ -35,6 +37,8 @@ struct Varyings {
     metal::float3 normal;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -43,28 +47,34 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// The slope n.xy / n.z of a normal in camera axes.
 metal::float2 slope_of(
     metal::float3 normal
 ) {
     return normal.xy / metal::float2(metal::max(normal.z, 0.2));
 }
 
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
 metal::float4 surface_texel(
-    metal::float3 normal_1,
+    metal::float3 normal,
     float depth,
     float number
 ) {
-    metal::float2 _e3 = slope_of(normal_1);
-    return metal::float4(_e3, depth, (normal_1.z < 0.0) ? -(number) : number);
+    metal::float2 slope_of_value = slope_of(normal);
+    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
 }
 
+/// The normal that the curvature pass sees.
 metal::float3 shade(
     Surface surface
 ) {
@@ -86,11 +96,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -111,24 +118,17 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     bool local = {};
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float4 _e6 = view.eye;
-    float _e11 = view.eye.w;
-    metal::float3 toward = metal::normalize(_e6.xyz - (_e11 * in.position));
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 toward = metal::normalize(view.eye.xyz - (view.eye.w * in.position));
     if (!(is_front)) {
-        local = metal::dot(_e3, toward) < -0.1;
+        local = metal::dot(facing, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    metal::float3 normal_2 = is_behind ? -(_e3) : _e3;
-    Surface surface_1 = Surface {normal_2};
-    metal::float4x4 _e29 = view.camera_from_world;
-    metal::float3 _e30 = shade(surface_1);
-    metal::float3 seen = (_e29 * metal::float4(_e30, 0.0)).xyz;
-    metal::float4x4 _e37 = view.camera_from_world;
-    float depth_1 = -((_e37 * metal::float4(in.position, 1.0)).z);
-    float _e46 = object.id;
-    metal::float4 _e49 = surface_texel(seen, depth_1, _e46 + 1.0);
-    return fs_mainOutput { _e49 };
+    metal::float3 normal = is_behind ? -(facing) : facing;
+    Surface surface = Surface {normal};
+    metal::float3 seen = (view.camera_from_world * metal::float4(shade(surface), 0.0)).xyz;
+    float depth = -((view.camera_from_world * metal::float4(in.position, 1.0)).z);
+    return fs_mainOutput { surface_texel(seen, depth, object.id + 1.0) };
 }

@@ -1,6 +1,6 @@
 // Vessel, symbolic red: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // figure7-vessel.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,27 +13,35 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light eye;
     metal::float3x3 camera_from_world;
     Light key;
     Light side;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -41,23 +49,37 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -74,52 +96,65 @@ constant ProfileShape shade_tone_shape = ProfileShape {0.9950042, 0.099833414, 1
 constant ProfileShape light_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u};
 constant ProfileShape edge_tone_shape = ProfileShape {0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1, 0.19658314, 0.08474467, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
     float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
-    return metal::float2(s_2, c);
+    return metal::float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(
+    Angle u,
+    metal::float2 t
 ) {
-    float s_4 = u_2.half_sin - 0.0;
-    metal::float2 upper_1 = (u_2.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_4, u_2.half_cos);
-    metal::float2 turned_1 = ((s_4 <= 0.0) & (s_4 < u_2.half_cos)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -138,53 +173,58 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
-Composite blend_alpha_2_(
-    Composite below_1,
-    Color color_1,
-    float tone_1,
-    float opacity_1,
-    bool clamped_1
+Composite blend_alpha_2(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_shade(
-    Composite below_2,
-    Color color_2,
-    float tone_2,
-    float opacity_2,
-    bool clamped_2
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz * metal::mix(metal::float3(1.0), color_2.xyz, tone_2)) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_3,
-    float tone_3
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_3 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light_1.direction), 0.5 * metal::length(d + light_1.direction)};
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
 Angle parametrization_screen_aligned_balanced(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 d_1 = camera_from_world * normal_1;
-    return Angle {0.5 * metal::length(d_1 - light_2.own_direction), 0.5 * metal::length(d_1 + light_2.own_direction)};
+    metal::float3 d = camera_from_world * normal;
+    return Angle {0.5 * metal::length(d - light.own_direction), 0.5 * metal::length(d + light.own_direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -193,129 +233,116 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_3,
-    float w_1,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset), (u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if (w_1 < (0.1 * shape_2.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_4,
-    float w_2,
-    ProfileShape shape_3
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_4.half_sin * shape_3.half_cos_offset) - (u_4.half_cos * shape_3.half_sin_offset), (u_4.half_cos * shape_3.half_cos_offset) + (u_4.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_2;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
-    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(
-    Angle angle_2,
-    float shift_2,
-    ProfileShape shape_6
+float profile_balanced_3(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_2);
-    Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_6);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
     float light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    Color _e30 = curvature_color(light_convexity, metal::float4(0.8471, 0.2588, 0.2353, 1.0), metal::float4(0.5412, 0.1098, 0.1647, 1.0));
-    metal::float3 _e35 = look.key.direction;
-    metal::float3 _e44 = look.key.direction;
-    Angle tone_angle = Angle {0.5 * metal::length(surface.normal - _e35), 0.5 * metal::length(surface.normal + _e44)};
+    Color tone_color = curvature_color(light_convexity, metal::float4(0.8471, 0.2588, 0.2353, 1.0), metal::float4(0.5412, 0.1098, 0.1647, 1.0));
+    Angle tone_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
     float tone_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
-    float _e57 = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
-    Light _e60 = look.key;
-    LitLayer _e61 = light_apply(_e60, _e30, _e57);
-    Composite _e71 = blend_alpha(metal::float4(0.4784, 0.0784, 0.1255, 1.0), _e61.color, _e61.tone, 1.0, true);
-    Color _e82 = curvature_color(light_convexity, metal::float4(0.6902, 0.1882, 0.2196, 1.0), metal::float4(0.3529, 0.0627, 0.1255, 1.0));
-    metal::float3 _e87 = look.side.direction;
-    metal::float3 _e96 = look.side.direction;
-    Angle shade_angle = Angle {0.5 * metal::length(surface.normal - _e87), 0.5 * metal::length(surface.normal + _e96)};
+    float tone_tone = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
+    LitLayer tone_lit = light_apply(look.key, tone_color, tone_tone);
+    Composite tone_blend = blend_alpha(metal::float4(0.4784, 0.0784, 0.1255, 1.0), tone_lit.color, tone_lit.tone, 1.0, true);
+    Color shade_color = curvature_color(light_convexity, metal::float4(0.6902, 0.1882, 0.2196, 1.0), metal::float4(0.3529, 0.0627, 0.1255, 1.0));
+    Angle shade_angle = Angle {0.5 * metal::length(surface.normal - look.side.direction), 0.5 * metal::length(surface.normal + look.side.direction)};
     float shade_warp = ((2.0 * light_convexity) - 1.0) * -0.2;
-    float _e109 = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
-    Light _e112 = look.side;
-    LitLayer _e113 = light_apply(_e112, _e82, _e109);
-    Composite _e118 = blend_shade(_e71, _e113.color, _e113.tone, 0.8, true);
-    Light _e121 = look.key;
-    Angle _e124 = parametrization_specular_balanced(_e121, surface.normal, surface.view);
-    float _e127 = profile_balanced_2_(_e124, 0.0, light_tone_shape);
-    Light _e130 = look.key;
-    LitLayer _e136 = light_apply(_e130, metal::float4(1.0, 0.8471, 0.8, 1.0), _e127);
-    Composite _e141 = blend_alpha_2_(_e118, _e136.color, _e136.tone, 0.6, true);
-    Light _e144 = look.eye;
-    metal::float3x3 _e148 = look.camera_from_world;
-    Angle _e149 = parametrization_screen_aligned_balanced(_e144, surface.normal, _e148);
+    float shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
+    LitLayer shade_lit = light_apply(look.side, shade_color, shade_tone);
+    Composite shade_blend = blend_shade(tone_blend, shade_lit.color, shade_lit.tone, 0.8, true);
+    Angle light_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
+    LitLayer light_lit = light_apply(look.key, metal::float4(1.0, 0.8471, 0.8, 1.0), light_tone);
+    Composite light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6, true);
+    Angle edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
     float edge_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.1, -20.0, 20.0))))));
     float edge_warp = ((2.0 * edge_convexity) - 1.0) * 0.2;
-    float _e176 = profile_balanced_3_(_e149, edge_warp, edge_tone_shape);
-    Light _e179 = look.eye;
-    LitLayer _e182 = light_apply(_e179, metal::float4(1.0), _e176);
-    metal::float4 edge_blend = metal::clamp(metal::float4(_e141.xyz + (0.55 * ((_e141.xyz * (_e182.tone * _e182.color.xyz)) - _e141.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float edge_tone = profile_balanced_3(edge_angle, edge_warp, edge_tone_shape);
+    LitLayer edge_lit = light_apply(look.eye, metal::float4(1.0), edge_tone);
+    metal::float4 edge_blend = metal::clamp(metal::float4(light_blend.xyz + (0.55 * ((light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz)) - light_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return edge_blend;
 }
 
@@ -330,15 +357,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -358,17 +382,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

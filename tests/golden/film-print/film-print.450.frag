@@ -6,43 +6,71 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A free function of one number, drawn through points; flat outside of them. The layout is one for
+/// uniform buffers.
 struct Curve {
+    /// x, y and slope (dy/dx, used by the smooth interpolation) of each point, in increasing x.
     vec4 points[16];
+    /// Number of points that count.
     uint count;
+    /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
+    /// next point.
     uint interpolation;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -57,9 +85,9 @@ const Curve response_of_the_film = Curve(vec4[16](vec4(0.0, 0.0, 0.2, 0.0), vec4
 const ProfileShape sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
 const ProfileShape back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5, 0.27256957, 0.11186968, 0u);
 const Curve film_print = Curve(vec4[16](vec4(0.0, 0.04, 0.64, 0.0), vec4(0.25, 0.2, 0.8608187, 0.0), vec4(0.6, 0.66, 0.97504276, 0.0), vec4(1.0, 0.97, 0.775, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_2_ = Curve(vec4[16](vec4(0.0, 0.0, 0.73333335, 0.0), vec4(0.3, 0.22, 0.99215686, 0.0), vec4(0.6, 0.68, 1.0514286, 0.0), vec4(1.0, 1.0, 0.8, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_3_ = Curve(vec4[16](vec4(0.0, 0.06, 0.8333333, 0.0), vec4(0.3, 0.31, 0.8805031, 0.0), vec4(0.6, 0.59, 0.91636366, 0.0), vec4(1.0, 0.95, 0.9, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_4_ = Curve(vec4[16](vec4(0.0, 0.13, 0.8, 0.0), vec4(0.3, 0.37, 0.53333336, 0.0), vec4(0.6, 0.49, 0.51555556, 0.0), vec4(1.0, 0.78, 0.725, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Curve film_print_2 = Curve(vec4[16](vec4(0.0, 0.0, 0.73333335, 0.0), vec4(0.3, 0.22, 0.99215686, 0.0), vec4(0.6, 0.68, 1.0514286, 0.0), vec4(1.0, 1.0, 0.8, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Curve film_print_3 = Curve(vec4[16](vec4(0.0, 0.06, 0.8333333, 0.0), vec4(0.3, 0.31, 0.8805031, 0.0), vec4(0.6, 0.59, 0.91636366, 0.0), vec4(1.0, 0.95, 0.9, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Curve film_print_4 = Curve(vec4[16](vec4(0.0, 0.13, 0.8, 0.0), vec4(0.3, 0.37, 0.53333336, 0.0), vec4(0.6, 0.49, 0.51555556, 0.0), vec4(1.0, 0.78, 0.725, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -69,6 +97,8 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
     float f = (x - whole);
@@ -76,317 +106,314 @@ float exp2_stable(float x) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_tiny(float x_2) {
-    float y_1 = (x_2 * x_2);
-    float s_2 = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
-    return vec2(s_2, c);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+vec2 sin_cos_tiny(float x) {
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
+    return vec2(s, c);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, c_2));
-    vec2 turned_1 = (((s_4 <= 0.0) && (s_4 < c_2)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + (u.half_sin * 0.0));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_3_(Angle u_3, vec2 t_2) {
-    float s_5 = (u_3.half_sin - 0.0);
-    vec2 upper_2 = ((u_3.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, u_3.half_cos));
-    vec2 turned_2 = (((s_5 <= 0.0) && (s_5 < u_3.half_cos)) ? vec2(0.0, 1.0) : upper_2);
-    return Angle(turned_2.x, turned_2.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_3(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
-vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t_3) {
-    vec4 d_1 = (b_1 - a_1);
-    return (a_1 + (t_3 * (from_a + (t_3 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_1))))))));
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
+vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
+    vec4 d = (b - a);
+    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
 }
 
-float curve_at(Curve curve, float x_5, float w) {
+/// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
+/// curve without points.
+float curve_at(Curve curve, float x, float w) {
     vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2_ = 1u;
+    uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e21 = i_2_;
-            i_2_ = (_e21 + 1u);
+            i_2 = (i_2 + 1u);
         }
         loop_init = false;
-        uint _e9 = i_2_;
-        if (!((_e9 < 6u))) {
+        if (!((i_2 < 6u))) {
             break;
         }
-        uint _e13 = at;
-        uint _e14 = i_2_;
-        uint _e15 = i_2_;
-        float _e18 = points[_e15].x;
-        at = ((_e18 <= x_5) ? _e14 : _e13);
+        at = ((points[i_2].x <= x) ? i_2 : at);
     }
-    uint _e24 = at;
-    vec4 a_2 = points[_e24];
-    uint _e27 = at;
-    if ((((_e27 + 1u) >= 6u) || (x_5 <= a_2.x))) {
-        return a_2.y;
+    vec4 a = points[at];
+    if ((((at + 1u) >= 6u) || (x <= a.x))) {
+        return a.y;
     }
-    uint _e36 = at;
-    vec4 b_2 = points[(_e36 + 1u)];
-    float _e46 = divided((x_5 - a_2.x), (b_2.x - a_2.x));
-    float t_4 = clamp(_e46, 0.0, 1.0);
-    vec4 _e66 = hermite(vec4(a_2.y), vec4(b_2.y), ((b_2.x - a_2.x) * vec4(a_2.z)), ((b_2.x - a_2.x) * vec4(b_2.z)), t_4);
-    return _e66.x;
+    vec4 b = points[(at + 1u)];
+    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
+    return hermite(vec4(a.y), vec4(b.y), ((b.x - a.x) * vec4(a.z)), ((b.x - a.x) * vec4(b.z)), t).x;
 }
 
-float curve_at_2_(Curve curve_1, float x_6, float w_1) {
-    vec4 points_1[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2_1 = 1u;
-    uint at_1 = 0u;
-    points_1 = curve_1.points;
-    bool loop_init_1 = true;
+/// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
+/// curve without points.
+float curve_at_2(Curve curve, float x, float w) {
+    vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    uint i_2 = 1u;
+    uint at = 0u;
+    points = curve.points;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e21 = i_2_1;
-            i_2_1 = (_e21 + 1u);
+        if (!loop_init) {
+            i_2 = (i_2 + 1u);
         }
-        loop_init_1 = false;
-        uint _e9 = i_2_1;
-        if (!((_e9 < 4u))) {
+        loop_init = false;
+        if (!((i_2 < 4u))) {
             break;
         }
-        uint _e13 = at_1;
-        uint _e14 = i_2_1;
-        uint _e15 = i_2_1;
-        float _e18 = points_1[_e15].x;
-        at_1 = ((_e18 <= x_6) ? _e14 : _e13);
+        at = ((points[i_2].x <= x) ? i_2 : at);
     }
-    uint _e24 = at_1;
-    vec4 a_3 = points_1[_e24];
-    uint _e27 = at_1;
-    if ((((_e27 + 1u) >= 4u) || (x_6 <= a_3.x))) {
-        return a_3.y;
+    vec4 a = points[at];
+    if ((((at + 1u) >= 4u) || (x <= a.x))) {
+        return a.y;
     }
-    uint _e36 = at_1;
-    vec4 b_3 = points_1[(_e36 + 1u)];
-    float _e46 = divided((x_6 - a_3.x), (b_3.x - a_3.x));
-    float t_5 = clamp(_e46, 0.0, 1.0);
-    vec4 _e66 = hermite(vec4(a_3.y), vec4(b_3.y), ((b_3.x - a_3.x) * vec4(a_3.z)), ((b_3.x - a_3.x) * vec4(b_3.z)), t_5);
-    return _e66.x;
+    vec4 b = points[(at + 1u)];
+    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
+    return hermite(vec4(a.y), vec4(b.y), ((b.x - a.x) * vec4(a.z)), ((b.x - a.x) * vec4(b.z)), t).x;
 }
 
+/// Color curves
+///
+/// Redraws a color's channels along curves, one for all of them and then one for each: contrast,
+/// film looks, split toning.
 vec4 color_curves(vec4 color, Curve all_, Curve red, Curve green, Curve blue) {
-    float _e6 = footprint_of(color.x);
-    float _e8 = footprint_of(color.y);
-    float _e10 = footprint_of(color.z);
-    vec3 w_6 = vec3(_e6, _e8, _e10);
-    float _e14 = curve_at_2_(all_, color.x, w_6.x);
-    float _e17 = curve_at_2_(all_, color.y, w_6.y);
-    float _e20 = curve_at_2_(all_, color.z, w_6.z);
-    float _e22 = curve_at_2_(red, _e14, w_6.x);
-    float _e24 = curve_at_2_(green, _e17, w_6.y);
-    float _e26 = curve_at_2_(blue, _e20, w_6.z);
-    return vec4(_e22, _e24, _e26, 1.0);
+    vec3 w = vec3(footprint_of(color.x), footprint_of(color.y), footprint_of(color.z));
+    float r = curve_at_2(all_, color.x, w.x);
+    float g = curve_at_2(all_, color.y, w.y);
+    float b = curve_at_2(all_, color.z, w.z);
+    return vec4(curve_at_2(red, r, w.x), curve_at_2(green, g, w.y), curve_at_2(blue, b, w.z), 1.0);
 }
 
-vec4 blend_alpha(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
-    return vec4((below.xyz + (tone * (color_1.xyz - below.xyz))), 1.0);
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
-    vec3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d_2 - light_1.direction))), (0.5 * length((d_2 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
 float profile_power(float q, float exponent) {
     float log_base = 0.0;
     if ((q >= 1.0)) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
+        log_base = (LOG2_E * log1p_negative_small((q * q)));
     } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
+        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
     }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * _e19));
-    return min(_e21, 1.0);
+    return min(exp2_stable((exponent * log_base)), 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    float s_6 = (u_4.half_sin - (u_4.half_cos * 0.0));
-    if (((s_6 <= 0.0) || false)) {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point(Angle u, ProfileShape shape) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    if (((s <= 0.0) || false)) {
         return 1.0;
     }
-    float q_1 = (s_6 * shape.scale);
-    float _e15 = profile_power(q_1, shape.exponent);
-    return _e15;
+    float q = (s * shape.scale);
+    return profile_power(q, shape.exponent);
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
-    float _e3 = profile_point(u_5, shape_1);
-    bool is_wide = (w_2 < (0.1 * shape_1.edge_deviation));
-    if (((is_wide || (w_2 <= 0.0)) || false)) {
-        return _e3;
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered(Angle u, float w, ProfileShape shape) {
+    float point = profile_point(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide || (w <= 0.0)) || false)) {
+        return point;
     }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e16 = angle_turned(u_5, _e15);
-    float _e17 = profile_point(_e16, shape_1);
-    Angle _e22 = angle_turned(u_5, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_1);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    float before = profile_point(angle_turned(u, reach), shape);
+    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_soft_quick(float s, ProfileShape shape_2) {
-    float q_2 = (s * shape_2.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q_2 * q_2)), 0.0), shape_2.exponent));
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w_3, ProfileShape shape_3) {
-    float width = sqrt(((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w_3 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_6, float w_4, ProfileShape shape_4) {
-    vec2 place = vec2(((u_6.half_sin * shape_4.half_cos_offset) - (u_6.half_cos * shape_4.half_sin_offset)), ((u_6.half_cos * shape_4.half_cos_offset) + (u_6.half_sin * shape_4.half_sin_offset)));
-    bool is_narrow = ((w_4 > 0.0) && (w_4 >= (3.4641016 * shape_4.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place.x, w_4, shape_4);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_4);
-    if ((w_4 < (0.1 * shape_4.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_4);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_4);
-    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_4);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_5);
-    return _e8;
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced(Angle angle_1, float shift_1, ProfileShape shape_6) {
-    Angle _e6 = angle_turned_3_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_3(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
-    float _e24 = footprint_of(_e22);
-    float _e25 = curve_at(response_of_the_film, _e22, _e24);
-    float body_tone = clamp(_e25, 0.0, 1.0);
-    vec4 _e41 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
-    Light _e44 = u_look.key;
-    Angle _e47 = parametrization_specular_balanced(_e44, surface.normal, surface.view);
-    float _e50 = profile_balanced(_e47, 0.0, sheen_tone_shape);
-    Light _e53 = u_look.key;
-    LitLayer _e59 = light_apply(_e53, vec4(0.3725, 0.3451, 0.298, 1.0), _e50);
-    vec4 sheen_blend = clamp(vec4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e77 = u_look.back.direction;
-    vec3 _e86 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e77))), (0.5 * length((surface.normal + _e86))));
-    float _e94 = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
-    Light _e97 = u_look.back;
-    LitLayer _e103 = light_apply(_e97, vec4(0.498, 0.5255, 0.549, 1.0), _e94);
-    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + (_e103.tone * _e103.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e121 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
-    return _e121;
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float tone = profile(turned_from_the_key, 0.0, tone_shape);
+    float response_of_the_film_2 = curve_at(response_of_the_film, tone, footprint_of(tone));
+    float body_tone = clamp(response_of_the_film_2, 0.0, 1.0);
+    vec4 body = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+    Angle sheen_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float sheen_tone = profile_balanced(sheen_angle, 0.0, sheen_tone_shape);
+    LitLayer sheen_lit = light_apply(u_look.key, vec4(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
+    vec4 sheen_blend = clamp(vec4((body.xyz + (sheen_lit.tone * sheen_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
+    float back_light_tone = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
+    LitLayer back_light_lit = light_apply(u_look.back, vec4(0.498, 0.5255, 0.549, 1.0), back_light_tone);
+    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3, film_print_4);
+    return film_print_5;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
-    vec4 _e19 = shade(surface_1);
-    out_color = _e19;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    out_color = shade(surface);
     return;
 }
 

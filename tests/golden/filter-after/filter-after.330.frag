@@ -3,6 +3,7 @@
 // The fragment shader. Draws a mesh with the look; the result is straight RGBA.
 // Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
 // filter-after.json says what to put there and how to draw.
+/// What is known before the fragment.
 struct Look {
     vec3 lamp_position;
     vec3 lamp_aim;
@@ -12,50 +13,81 @@ struct Look {
     vec2 lamp_cone;
     vec2 lamp_fading;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 position;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
 };
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     vec2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance_;
 };
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance_;
 };
 struct Varyings {
@@ -66,7 +98,10 @@ struct Varyings {
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
+/// The farthest that anything counts as from a shape, in sizes of the shape.
 const float FAR_FROM_SHAPE = 1000.0;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 const float CELL_REACH = 1.25;
 const ProfileShape tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u);
 
@@ -76,10 +111,15 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
@@ -87,434 +127,416 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec2 sin_cos_eighth(float x_1) {
-    float y_2 = (x_1 * x_1);
-    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return vec2(s_2, c);
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+vec2 sin_cos_eighth(float x) {
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    return vec2(s, c);
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
-float atan2_positive(float y, float x_2) {
-    float small = min(y, x_2);
-    float large = max(y, x_2);
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
+float atan2_positive(float y, float x) {
+    float small = min(y, x);
+    float large = max(y, x);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float t = (small / large);
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2 = (r * r);
+    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_2) ? (HALF_PI - a) : a);
+    return ((y > x) ? (HALF_PI - a) : a);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, u_1.half_cos));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_3) {
-    uint bits = floatBitsToUint(x_3);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_1 = floatBitsToUint(v_3);
-    uvec3 magnitude_1 = (bits_1 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
+/// [`bounded`], component by component.
+vec3 bounded_vec3(vec3 v) {
+    uvec3 bits = floatBitsToUint(v);
+    uvec3 magnitude = (bits & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-float place_between(float x_4, float low, float high) {
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high) {
     float span = (high - low);
     if ((span < SMALLEST_NORMAL)) {
-        return ((x_4 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    float _e12 = bounded(((x_4 - low) / span));
-    return _e12;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_5, float low_1, float high_1) {
-    float _e3 = bounded(x_5);
-    float _e4 = place_between(_e3, low_1, high_1);
-    float t_2 = clamp(_e4, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(place_between(bounded(x), low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float angle_of_point(float y_1, float x_6) {
-    vec2 p_1 = abs(vec2(x_6, y_1));
-    vec2 scaled_1 = ((max(p_1.x, p_1.y) > 1.0) ? (0.5 * p_1) : p_1);
-    float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
-    return ((y_1 < 0.0) ? -(turned_1) : turned_1);
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
+float angle_of_point(float y, float x) {
+    vec2 p = abs(vec2(x, y));
+    vec2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    float a = atan2_positive(scaled.y, scaled.x);
+    float turned = ((x < 0.0) ? (PI - a) : a);
+    return ((y < 0.0) ? -(turned) : turned);
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
-    vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-vec2 footprint_of_vec2_(vec2 v_4) {
-    vec2 dx_1 = dFdx(v_4);
-    vec2 dy_1 = dFdy(v_4);
-    return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+vec2 footprint_of_vec2(vec2 v) {
+    vec2 dx = dFdx(v);
+    vec2 dy = dFdy(v);
+    return sqrt(((dx * dx) + (dy * dy)));
 }
 
-float footprint_of_vec3_(vec3 v_5) {
-    vec3 dx_2 = dFdx(v_5);
-    vec3 dy_2 = dFdy(v_5);
-    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
-    float square_2 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e28, cross(toward, _e28), toward);
+    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(x, cross(toward, x), toward);
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-mat3x3 axes_turned(vec3 toward_1, float spin) {
-    mat3x3 _e6 = axes_around(toward_1, vec3(0.0, 1.0, 0.0));
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+mat3x3 axes_turned(vec3 toward, float spin) {
+    mat3x3 axes = axes_around(toward, vec3(0.0, 1.0, 0.0));
     vec2 turn = vec2(0.0, 1.0);
-    return mat3x3(((turn.y * _e6[0]) + (turn.x * _e6[1])), ((turn.y * _e6[1]) - (turn.x * _e6[0])), _e6[2]);
+    return mat3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
-mat3x3 axes_turned_2_(vec3 toward_2, float spin_1) {
-    mat3x3 _e6 = axes_around(toward_2, vec3(0.0, 1.0, 0.0));
-    vec2 _e13 = sin_cos_eighth((((spin_1 - 0.0) - 0.0) - 0.0));
-    vec2 turn_1 = clamp(_e13, vec2(-1.0), vec2(1.0));
-    return mat3x3(((turn_1.y * _e6[0]) + (turn_1.x * _e6[1])), ((turn_1.y * _e6[1]) - (turn_1.x * _e6[0])), _e6[2]);
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+mat3x3 axes_turned_2(vec3 toward, float spin) {
+    mat3x3 axes = axes_around(toward, vec3(0.0, 1.0, 0.0));
+    vec2 turn = clamp(sin_cos_eighth((((spin - 0.0) - 0.0) - 0.0)), vec2(-1.0), vec2(1.0));
+    return mat3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 vec3 place_along(vec3 place, vec3 center, mat3x3 axes) {
     vec3 away = clamp((place - center), vec3(-1000000.0), vec3(1000000.0));
     return vec3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
 float share_beside(float m, float softness, float density, bool inverted) {
     float near = min(m, FAR_FROM_SHAPE);
-    float _e6 = footprint_of(near);
-    float half_1 = (0.5 * min(_e6, 0.25));
-    float _e15 = eased(near, (1.0 - half_1), (1.0 + half_1));
-    return (1.0 - _e15);
+    float half_ = (0.5 * min(footprint_of(near), 0.25));
+    float beside = eased(near, (1.0 - half_), (1.0 + half_));
+    return (1.0 - beside);
 }
 
-float share_of_doors(vec3 seen, vec4 flaps, float softness_1) {
-    float _e5 = angle_of_point(seen.x, seen.z);
-    float _e8 = angle_of_point(seen.y, seen.z);
-    vec2 angles = vec2(_e5, _e8);
-    vec2 _e10 = footprint_of_vec2_(angles);
-    vec2 half_2 = (0.5 * min(_e10, vec2(0.1)));
-    float aside_1 = ((1.0 - smoothstep((flaps.x - half_2.x), (flaps.x + max(softness_1, half_2.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_2.x), (flaps.y + max(softness_1, half_2.x)), -(angles.x))));
-    return ((aside_1 * (1.0 - smoothstep((flaps.z - half_2.y), (flaps.z + max(softness_1, half_2.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_2.y), (flaps.w + max(softness_1, half_2.y)), -(angles.y))));
+/// The share of a lamp's light that passes between four flaps, for a place as the lamp sees it and
+/// the angles to the left, right, top and bottom flap.
+float share_of_doors(vec3 seen, vec4 flaps, float softness) {
+    vec2 angles = vec2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
+    vec2 half_ = (0.5 * min(footprint_of_vec2(angles), vec2(0.1)));
+    float aside = ((1.0 - smoothstep((flaps.x - half_.x), (flaps.x + max(softness, half_.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_.x), (flaps.y + max(softness, half_.x)), -(angles.x))));
+    return ((aside * (1.0 - smoothstep((flaps.z - half_.y), (flaps.z + max(softness, half_.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_.y), (flaps.w + max(softness, half_.y)), -(angles.y))));
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, vec2 fading) {
     float left = 1.0;
     if ((fading.x > 0.0)) {
-        float d_1 = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d_1 * d_1)));
+        float d = min((distance_ / fading.x), 1000000000000000.0);
+        left = (1.0 / (1.0 + (d * d)));
     }
     if ((fading.y > 0.0)) {
-        float d_2 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_2 * d_2) * d_2) * d_2)), 0.0);
-        float _e30 = left;
-        left = (_e30 * (window * window));
+        float d_1 = min((distance_ / fading.y), 1.0);
+        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
+        left = (left * (window * window));
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
-Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color_1, float intensity, vec2 fading_1, vec3 position) {
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
+Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading, vec3 position) {
     vec3 offset = (light_position - position);
-    vec3 _e11 = normalize_or(offset, vec3(0.0, 0.0, 1.0));
-    float _e13 = light_fading(length(offset), fading_1);
-    float faded = (intensity * _e13);
-    return Light(_e11, (own_from_world * _e11), color_1, faded);
+    vec3 direction = normalize_or(offset, vec3(0.0, 0.0, 1.0));
+    float faded = (intensity * light_fading(length(offset), fading));
+    return Light(direction, (own_from_world * direction), color, faded);
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, vec2 cone) {
     if ((cone.x <= cone.y)) {
         return ((cos_angle >= cone.y) ? 1.0 : 0.0);
     }
-    float t_3 = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-Light light_spot(vec3 light_position_1, vec3 aim, mat3x3 own_from_world_1, vec3 color_2, float intensity_1, vec2 cone_1, vec2 fading_2, vec3 position_1) {
+Light light_spot(vec3 light_position, vec3 aim, mat3x3 own_from_world, vec3 color, float intensity, vec2 cone, vec2 fading, vec3 position) {
     Light light = Light(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    Light _e8 = light_at(light_position_1, own_from_world_1, color_2, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    vec3 _e13 = light.direction;
-    float _e16 = light_cone(dot(-(_e13), aim), cone_1);
-    light.intensity = (_e11 * _e16);
-    Light _e18 = light;
-    return _e18;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
+    return light;
 }
 
-LitLayer light_apply(Light light_1, vec4 color_3, float tone_1) {
-    vec2 split = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
 PlaceInLight place_in_light(vec2 at) {
-    vec2 near_1 = clamp(at, vec2(-1000.0), vec2(1000.0));
-    float _e14 = share_beside(max(abs(near_1.x), abs(near_1.y)), 0.0, 1.0, true);
-    return PlaceInLight((vec2(0.5) + (0.5 * vec2(-(near_1.x), near_1.y))), _e14);
+    vec2 near = clamp(at, vec2(-1000.0), vec2(1000.0));
+    float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
+    return PlaceInLight((vec2(0.5) + (0.5 * vec2(-(near.x), near.y))), inside);
 }
 
-PlaceInLight light_place_point(vec3 light_position_2, float angle, float spin_2, vec3 toward_3, vec3 position_2) {
-    mat3x3 _e5 = axes_turned_2_(toward_3, spin_2);
-    vec3 _e6 = place_along(position_2, light_position_2, _e5);
-    vec2 _e13 = sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0));
-    vec2 turn_2 = clamp(_e13, vec2(-1.0), vec2(1.0));
-    vec2 at_1 = ((_e6.xy * (turn_2.y / turn_2.x)) / vec2(max(_e6.z, 0.001)));
-    PlaceInLight _e35 = place_in_light(((_e6.z > 0.001) ? at_1 : vec2(1000.0)));
-    return _e35;
+PlaceInLight light_place_point(vec3 light_position, float angle, float spin, vec3 toward, vec3 position) {
+    vec3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
+    vec2 turn = clamp(sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0)), vec2(-1.0), vec2(1.0));
+    vec2 at = ((seen.xy * (turn.y / turn.x)) / vec2(max(seen.z, 0.001)));
+    return place_in_light(((seen.z > 0.001) ? at : vec2(1000.0)));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2) {
-    vec2 place_1 = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_1);
-    vec2 turn_3 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_3.y) - (place_1.y * turn_3.x)), shape_2);
-    float _e64 = profile_soft_quick(((place_1.x * turn_3.y) + (place_1.y * turn_3.x)), shape_2);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle_1, float shift, ProfileShape shape_3) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
     return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
-Cell nearest_cell(vec3 p, uint seed_2) {
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
+Cell nearest_cell(vec3 p, uint seed) {
     vec3 nearest = vec3(4.0);
-    uvec3 hash_1 = uvec3(0u);
+    uvec3 hash = uvec3(0u);
     int i = 0;
     float border = 0.0;
     int i_1 = 0;
     vec3 corner = floor(p);
-    vec3 d_3 = (p - corner);
-    ivec3 cell_1 = ivec3(corner);
+    vec3 d = (p - corner);
+    ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e51 = i;
-            i = (_e51 + 1);
+            i = (i + 1);
         }
         loop_init = false;
-        int _e13 = i;
-        if ((_e13 < 27)) {
+        if ((i < 27)) {
         } else {
             break;
         }
         {
-            int _e16 = i;
-            int _e21 = i;
-            int _e28 = i;
-            ivec3 at_2 = ivec3(((_e16 % 3) - 1), (((_e21 / 3) % 3) - 1), ((_e28 / 9) - 1));
-            uvec3 _e35 = lattice_hash((cell_1 + at_2), seed_2);
-            vec3 _e40 = unit_of_hash(_e35);
-            vec3 offset_1 = (((vec3(at_2) + vec3(0.25)) + (0.5 * _e40)) - d_3);
-            vec3 _e46 = nearest;
-            vec3 _e47 = nearest;
-            if ((dot(offset_1, offset_1) < dot(_e46, _e47))) {
-                nearest = offset_1;
-                hash_1 = _e35;
+            ivec3 at = ivec3(((i % 3) - 1), (((i / 3) % 3) - 1), ((i / 9) - 1));
+            uvec3 own = lattice_hash((cell + at), seed);
+            vec3 offset = (((vec3(at) + vec3(0.25)) + (0.5 * unit_of_hash(own))) - d);
+            if ((dot(offset, offset) < dot(nearest, nearest))) {
+                nearest = offset;
+                hash = own;
             }
         }
     }
-    vec3 _e53 = nearest;
-    float distance_1 = length(_e53);
-    border = max((0.5 * (CELL_REACH - distance_1)), 0.0);
+    float distance_ = length(nearest);
+    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e110 = i_1;
-            i_1 = (_e110 + 1);
+            i_1 = (i_1 + 1);
         }
         loop_init_1 = false;
-        int _e64 = i_1;
-        if ((_e64 < 27)) {
+        if ((i_1 < 27)) {
         } else {
             break;
         }
         {
-            int _e67 = i_1;
-            int _e72 = i_1;
-            int _e79 = i_1;
-            ivec3 at_3 = ivec3(((_e67 % 3) - 1), (((_e72 / 3) % 3) - 1), ((_e79 / 9) - 1));
-            uvec3 _e90 = lattice_hash((cell_1 + at_3), seed_2);
-            vec3 _e91 = unit_of_hash(_e90);
-            vec3 _e96 = nearest;
-            vec3 apart = ((((vec3(at_3) + vec3(0.25)) + (0.5 * _e91)) - d_3) - _e96);
+            ivec3 at_1 = ivec3(((i_1 % 3) - 1), (((i_1 / 3) % 3) - 1), ((i_1 / 9) - 1));
+            vec3 apart = ((((vec3(at_1) + vec3(0.25)) + (0.5 * unit_of_hash(lattice_hash((cell + at_1), seed)))) - d) - nearest);
             float between = length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if ((between > 0.25)) {
-                float _e101 = border;
-                vec3 _e102 = nearest;
-                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
             }
         }
     }
-    float _e112 = border;
-    uvec3 _e115 = hash_1;
-    uvec3 _e116 = hash_pcg3d(_e115);
-    vec3 _e117 = unit_of_hash(_e116);
-    return Cell(max(_e112, 0.0), _e117.x, distance_1);
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
 }
 
-Cells cells(vec3 position_3, float scale, int seed_3) {
-    vec3 _e4 = bounded_vec3_((position_3 * scale));
-    Cell _e6 = nearest_cell(_e4, 0u);
-    float _e7 = footprint_of_vec3_(_e4);
-    float visible = (1.0 - smoothstep(0.5, 1.0, _e7));
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
+Cells cells(vec3 position, float scale, int seed) {
+    vec3 p = bounded_vec3((position * scale));
+    Cell cell = nearest_cell(p, 0u);
+    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p)));
     vec3 average = vec3(0.1301, 0.5, 0.491);
-    vec3 seen_1 = mix(average, vec3(_e6.border, _e6.random, _e6.distance_), visible);
-    return Cells(seen_1.x, seen_1.y, seen_1.z);
+    vec3 seen = mix(average, vec3(cell.border, cell.random, cell.distance_), visible);
+    return Cells(seen.x, seen.y, seen.z);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e3 = u_look.lamp_position;
-    vec3 _e6 = u_look.lamp_aim;
-    mat3x3 _e9 = u_look.lamp_own_from_world;
-    vec3 _e12 = u_look.lamp_color;
-    float _e15 = u_look.lamp_intensity;
-    vec2 _e18 = u_look.lamp_cone;
-    vec2 _e21 = u_look.lamp_fading;
-    Light _e23 = light_spot(_e3, _e6, _e9, _e12, _e15, _e18, _e21, surface.position);
-    Angle angle_2 = Angle((0.5 * length((surface.normal - _e23.direction))), (0.5 * length((surface.normal + _e23.direction))));
-    vec3 _e40 = u_look.lamp_position;
-    vec3 _e43 = u_look.lamp_aim;
-    mat3x3 _e45 = axes_turned(_e43, 0.0);
-    vec3 _e46 = place_along(surface.position, _e40, _e45);
-    float _e53 = share_of_doors(_e46, vec4(0.3, 0.36, 0.3, 0.2), 0.02);
-    vec3 _e56 = u_look.lamp_position;
-    vec3 _e61 = u_look.lamp_aim;
-    PlaceInLight _e63 = light_place_point(_e56, 0.4, 0.6, _e61, surface.position);
-    Cells _e69 = cells(vec3(_e63.uv, 0.0), 13.0, 0);
-    float both = (_e53 * smoothstep(0.12, 0.62, _e69.distance_));
-    FilteredLight filter_2_ = FilteredLight(Light(_e23.direction, _e23.own_direction, _e23.color, (_e23.intensity * both)), angle_2);
-    float _e85 = profile_balanced(filter_2_.angle, 0.0, tone_shape);
-    LitLayer _e92 = light_apply(filter_2_.light, vec4(0.93, 0.62, 0.36, 1.0), _e85);
-    vec4 _e102 = blend_add(vec4(0.13, 0.14, 0.27, 1.0), _e92.color, _e92.tone, 1.0, true);
-    return _e102;
+    Light lamp = light_spot(u_look.lamp_position, u_look.lamp_aim, u_look.lamp_own_from_world, u_look.lamp_color, u_look.lamp_intensity, u_look.lamp_cone, u_look.lamp_fading, surface.position);
+    Angle angle = Angle((0.5 * length((surface.normal - lamp.direction))), (0.5 * length((surface.normal + lamp.direction))));
+    vec3 place_along_value = place_along(surface.position, u_look.lamp_position, axes_turned(u_look.lamp_aim, 0.0));
+    float doors = share_of_doors(place_along_value, vec4(0.3, 0.36, 0.3, 0.2), 0.02);
+    PlaceInLight place = light_place_point(u_look.lamp_position, 0.4, 0.6, u_look.lamp_aim, surface.position);
+    Cells leaves = cells(vec3(place.uv, 0.0), 13.0, 0);
+    float both = (doors * smoothstep(0.12, 0.62, leaves.distance_));
+    FilteredLight filter_2 = FilteredLight(Light(lamp.direction, lamp.own_direction, lamp.color, (lamp.intensity * both)), angle);
+    float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
+    LitLayer lit = light_apply(filter_2.light, vec4(0.93, 0.62, 0.36, 1.0), tone);
+    return blend_add(vec4(0.13, 0.14, 0.27, 1.0), lit.color, lit.tone, 1.0, true);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = Surface(normal, in_.position);
-    vec4 _e8 = shade(surface_1);
-    out_color = _e8;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, in_.position);
+    out_color = shade(surface);
     return;
 }
 

@@ -13,15 +13,17 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// What is known before the fragment.
 struct Look {
     metal::float3 lamp_position;
     metal::float3 lamp_aim;
@@ -31,55 +33,86 @@ struct Look {
     metal::float2 lamp_cone;
     metal::float2 lamp_fading;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 position;
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
     char _pad2[8];
 };
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     metal::float2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
     char _pad2[4];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance;
 };
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance;
 };
 struct Vertex {
@@ -94,16 +127,24 @@ struct Varyings {
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
+/// The farthest that anything counts as from a shape, in sizes of the shape.
 constant float FAR_FROM_SHAPE = 1000.0;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 constant float CELL_REACH = 1.25;
 constant ProfileShape tone_shape = ProfileShape {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u};
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(
     float x
 ) {
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -114,167 +155,187 @@ metal::float3 normalize_or(
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
 }
 
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 metal::float2 sin_cos_eighth(
-    float x_1
+    float x
 ) {
-    float y_2 = x_1 * x_1;
-    float s_2 = x_1 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
-    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
-    return metal::float2(s_2, c);
+    float y = x * x;
+    float s = x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 0.0000027557319))))))));
+    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-0.000024801588 + (y * 0.0000002755732)))))))));
+    return metal::float2(s, c);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(
     float y,
-    float x_2
+    float x
 ) {
-    float small = metal::min(y, x_2);
-    float large = metal::max(y, x_2);
+    float small = metal::min(y, x);
+    float large = metal::max(y, x);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float t = small / large;
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
-    return (y > x_2) ? (HALF_PI - a) : a;
+    return (y > x) ? (HALF_PI - a) : a;
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_3 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, u_1.half_cos);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_3
+    float x
 ) {
-    uint bits = as_type<uint>(x_3);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
-    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
+/// [`bounded`], component by component.
+metal::float3 bounded_vec3(
+    metal::float3 v
 ) {
-    metal::uint3 bits_1 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude_1 = bits_1 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
+    metal::uint3 bits = as_type<metal::uint3>(v);
+    metal::uint3 magnitude = bits & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 float place_between(
-    float x_4,
+    float x,
     float low,
     float high
 ) {
     float span = high - low;
     if (span < SMALLEST_NORMAL) {
-        return (x_4 >= high) ? 1.0 : 0.0;
+        return (x >= high) ? 1.0 : 0.0;
     }
-    float _e12 = bounded((x_4 - low) / span);
-    return _e12;
+    return bounded((x - low) / span);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_5,
-    float low_1,
-    float high_1
+    float x,
+    float low,
+    float high
 ) {
-    float _e3 = bounded(x_5);
-    float _e4 = place_between(_e3, low_1, high_1);
-    float t_2 = metal::clamp(_e4, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float t = metal::clamp(place_between(bounded(x), low, high), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(
-    float y_1,
-    float x_6
+    float y,
+    float x
 ) {
-    metal::float2 p_1 = metal::abs(metal::float2(x_6, y_1));
-    metal::float2 scaled_1 = (metal::max(p_1.x, p_1.y) > 1.0) ? (0.5 * p_1) : p_1;
-    float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = (x_6 < 0.0) ? (PI - _e14) : _e14;
-    return (y_1 < 0.0) ? -(turned_1) : turned_1;
+    metal::float2 p = metal::abs(metal::float2(x, y));
+    metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
+    float a = atan2_positive(scaled.y, scaled.x);
+    float turned = (x < 0.0) ? (PI - a) : a;
+    return (y < 0.0) ? -(turned) : turned;
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_7
+    float x
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
-    metal::float2 d = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
-    return _e6;
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return bounded(metal::sqrt(metal::dot(d, d)));
 }
 
-metal::float2 footprint_of_vec2_(
-    metal::float2 v_4
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+metal::float2 footprint_of_vec2(
+    metal::float2 v
 ) {
-    metal::float2 dx_1 = metal::dfdx(v_4);
-    metal::float2 dy_1 = metal::dfdy(v_4);
-    return metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1));
+    metal::float2 dx = metal::dfdx(v);
+    metal::float2 dy = metal::dfdy(v);
+    return metal::sqrt((dx * dx) + (dy * dy));
 }
 
-float footprint_of_vec3_(
-    metal::float3 v_5
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(
+    metal::float3 v
 ) {
-    metal::float3 dx_2 = metal::dfdx(v_5);
-    metal::float3 dy_2 = metal::dfdy(v_5);
-    return metal::sqrt(metal::max(metal::dot(dx_2, dx_2), metal::dot(dy_2, dy_2)));
+    metal::float3 dx = metal::dfdx(v);
+    metal::float3 dy = metal::dfdy(v);
+    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
     metal::float3 leaning = metal::cross(up, toward);
-    float square_2 = metal::dot(leaning, leaning);
+    float square = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
+    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 Composite blend_add(
     Composite below,
     Color color,
@@ -285,25 +346,27 @@ Composite blend_add(
     return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
 metal::float3x3 axes_turned(
-    metal::float3 toward_1,
+    metal::float3 toward,
     float spin
 ) {
-    metal::float3x3 _e6 = axes_around(toward_1, metal::float3(0.0, 1.0, 0.0));
+    metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
     metal::float2 turn = metal::float2(0.0, 1.0);
-    return metal::float3x3((turn.y * _e6[0]) + (turn.x * _e6[1]), (turn.y * _e6[1]) - (turn.x * _e6[0]), _e6[2]);
+    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
 }
 
-metal::float3x3 axes_turned_2_(
-    metal::float3 toward_2,
-    float spin_1
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+metal::float3x3 axes_turned_2(
+    metal::float3 toward,
+    float spin
 ) {
-    metal::float3x3 _e6 = axes_around(toward_2, metal::float3(0.0, 1.0, 0.0));
-    metal::float2 _e13 = sin_cos_eighth(((spin_1 - 0.0) - 0.0) - 0.0);
-    metal::float2 turn_1 = metal::clamp(_e13, metal::float2(-1.0), metal::float2(1.0));
-    return metal::float3x3((turn_1.y * _e6[0]) + (turn_1.x * _e6[1]), (turn_1.y * _e6[1]) - (turn_1.x * _e6[0]), _e6[2]);
+    metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
+    metal::float2 turn = metal::clamp(sin_cos_eighth(((spin - 0.0) - 0.0) - 0.0), metal::float2(-1.0), metal::float2(1.0));
+    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 metal::float3 place_along(
     metal::float3 place,
     metal::float3 center,
@@ -313,6 +376,9 @@ metal::float3 place_along(
     return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]), metal::dot(away, axes[2]));
 }
 
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
 float share_beside(
     float m,
     float softness,
@@ -320,60 +386,61 @@ float share_beside(
     bool inverted
 ) {
     float near = metal::min(m, FAR_FROM_SHAPE);
-    float _e6 = footprint_of(near);
-    float half_1 = 0.5 * metal::min(_e6, 0.25);
-    float _e15 = eased(near, 1.0 - half_1, 1.0 + half_1);
-    return 1.0 - _e15;
+    float half_ = 0.5 * metal::min(footprint_of(near), 0.25);
+    float beside = eased(near, 1.0 - half_, 1.0 + half_);
+    return 1.0 - beside;
 }
 
+/// The share of a lamp's light that passes between four flaps, for a place as the lamp sees it and
+/// the angles to the left, right, top and bottom flap.
 float share_of_doors(
     metal::float3 seen,
     metal::float4 flaps,
-    float softness_1
+    float softness
 ) {
-    float _e5 = angle_of_point(seen.x, seen.z);
-    float _e8 = angle_of_point(seen.y, seen.z);
-    metal::float2 angles = metal::float2(_e5, _e8);
-    metal::float2 _e10 = footprint_of_vec2_(angles);
-    metal::float2 half_2 = 0.5 * metal::min(_e10, metal::float2(0.1));
-    float aside_1 = (1.0 - metal::smoothstep(flaps.x - half_2.x, flaps.x + metal::max(softness_1, half_2.x), angles.x)) * (1.0 - metal::smoothstep(flaps.y - half_2.x, flaps.y + metal::max(softness_1, half_2.x), -(angles.x)));
-    return (aside_1 * (1.0 - metal::smoothstep(flaps.z - half_2.y, flaps.z + metal::max(softness_1, half_2.y), angles.y))) * (1.0 - metal::smoothstep(flaps.w - half_2.y, flaps.w + metal::max(softness_1, half_2.y), -(angles.y)));
+    metal::float2 angles = metal::float2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
+    metal::float2 half_ = 0.5 * metal::min(footprint_of_vec2(angles), metal::float2(0.1));
+    float aside = (1.0 - metal::smoothstep(flaps.x - half_.x, flaps.x + metal::max(softness, half_.x), angles.x)) * (1.0 - metal::smoothstep(flaps.y - half_.x, flaps.y + metal::max(softness, half_.x), -(angles.x)));
+    return (aside * (1.0 - metal::smoothstep(flaps.z - half_.y, flaps.z + metal::max(softness, half_.y), angles.y))) * (1.0 - metal::smoothstep(flaps.w - half_.y, flaps.w + metal::max(softness, half_.y), -(angles.y)));
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(
     float distance,
     metal::float2 fading
 ) {
     float left = 1.0;
     if (fading.x > 0.0) {
-        float d_1 = metal::min(distance / fading.x, 1000000000000000.0);
-        left = 1.0 / (1.0 + (d_1 * d_1));
+        float d = metal::min(distance / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + (d * d));
     }
     if (fading.y > 0.0) {
-        float d_2 = metal::min(distance / fading.y, 1.0);
-        float window = metal::max(1.0 - (((d_2 * d_2) * d_2) * d_2), 0.0);
-        float _e30 = left;
-        left = _e30 * (window * window);
+        float d_1 = metal::min(distance / fading.y, 1.0);
+        float window = metal::max(1.0 - (((d_1 * d_1) * d_1) * d_1), 0.0);
+        left = left * (window * window);
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
 Light light_at(
     metal::float3 light_position,
     metal::float3x3 own_from_world,
-    metal::float3 color_1,
+    metal::float3 color,
     float intensity,
-    metal::float2 fading_1,
+    metal::float2 fading,
     metal::float3 position
 ) {
     metal::float3 offset = light_position - position;
-    metal::float3 _e11 = normalize_or(offset, metal::float3(0.0, 0.0, 1.0));
-    float _e13 = light_fading(metal::length(offset), fading_1);
-    float faded = intensity * _e13;
-    return Light {_e11, own_from_world * _e11, color_1, faded};
+    metal::float3 direction = normalize_or(offset, metal::float3(0.0, 0.0, 1.0));
+    float faded = intensity * light_fading(metal::length(offset), fading);
+    return Light {direction, own_from_world * direction, color, faded};
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(
     float cos_angle,
     metal::float2 cone
@@ -381,64 +448,61 @@ float light_cone(
     if (cone.x <= cone.y) {
         return (cos_angle >= cone.y) ? 1.0 : 0.0;
     }
-    float t_3 = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
-    return (t_3 * t_3) * (3.0 - (2.0 * t_3));
+    float t = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
 Light light_spot(
-    metal::float3 light_position_1,
+    metal::float3 light_position,
     metal::float3 aim,
-    metal::float3x3 own_from_world_1,
-    metal::float3 color_2,
-    float intensity_1,
-    metal::float2 cone_1,
-    metal::float2 fading_2,
-    metal::float3 position_1
+    metal::float3x3 own_from_world,
+    metal::float3 color,
+    float intensity,
+    metal::float2 cone,
+    metal::float2 fading,
+    metal::float3 position
 ) {
     Light light = {};
-    Light _e8 = light_at(light_position_1, own_from_world_1, color_2, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    metal::float3 _e13 = light.direction;
-    float _e16 = light_cone(metal::dot(-(_e13), aim), cone_1);
-    light.intensity = _e11 * _e16;
-    Light _e18 = light;
-    return _e18;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = light.intensity * light_cone(metal::dot(-(light.direction), aim), cone);
+    return light;
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
-    Light light_1,
-    Color color_3,
-    float tone_1
+    Light light,
+    Color color,
+    float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light_1.color) * split.y, 1.0), tone_1 * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 PlaceInLight place_in_light(
     metal::float2 at
 ) {
-    metal::float2 near_1 = metal::clamp(at, metal::float2(-1000.0), metal::float2(1000.0));
-    float _e14 = share_beside(metal::max(metal::abs(near_1.x), metal::abs(near_1.y)), 0.0, 1.0, true);
-    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near_1.x), near_1.y)), _e14};
+    metal::float2 near = metal::clamp(at, metal::float2(-1000.0), metal::float2(1000.0));
+    float inside = share_beside(metal::max(metal::abs(near.x), metal::abs(near.y)), 0.0, 1.0, true);
+    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near.x), near.y)), inside};
 }
 
 PlaceInLight light_place_point(
-    metal::float3 light_position_2,
+    metal::float3 light_position,
     float angle,
-    float spin_2,
-    metal::float3 toward_3,
-    metal::float3 position_2
+    float spin,
+    metal::float3 toward,
+    metal::float3 position
 ) {
-    metal::float3x3 _e5 = axes_turned_2_(toward_3, spin_2);
-    metal::float3 _e6 = place_along(position_2, light_position_2, _e5);
-    metal::float2 _e13 = sin_cos_eighth(((angle - 0.0) - 0.0) - 0.0);
-    metal::float2 turn_2 = metal::clamp(_e13, metal::float2(-1.0), metal::float2(1.0));
-    metal::float2 at_1 = (_e6.xy * (turn_2.y / turn_2.x)) / metal::float2(metal::max(_e6.z, 0.001));
-    PlaceInLight _e35 = place_in_light((_e6.z > 0.001) ? at_1 : metal::float2(1000.0));
-    return _e35;
+    metal::float3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
+    metal::float2 turn = metal::clamp(sin_cos_eighth(((angle - 0.0) - 0.0) - 0.0), metal::float2(-1.0), metal::float2(1.0));
+    metal::float2 at = (seen.xy * (turn.y / turn.x)) / metal::float2(metal::max(seen.z, 0.001));
+    return place_in_light((seen.z > 0.001) ? at : metal::float2(1000.0));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -447,98 +511,81 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
-    bool is_narrow = (w_1 > 0.0) & (w_1 >= (3.4641016 * shape_2.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_2);
-    if (w_1 < (0.1 * shape_2.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_1;
-    metal::float2 turn_3 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick((place_1.x * turn_3.y) - (place_1.y * turn_3.x), shape_2);
-    float _e64 = profile_soft_quick((place_1.x * turn_3.y) + (place_1.y * turn_3.x), shape_2);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
-    Angle angle_1,
+    Angle angle,
     float shift,
-    ProfileShape shape_3
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
-    return _e61;
+    metal::uint3 v = {};
+    v = (seed * 1664525u) + metal::uint3(1013904223u);
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    v = v ^ (v >> metal::uint3(16u));
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 metal::float3 unit_of_hash(
     metal::uint3 hash
 ) {
     return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
 }
 
+/// The hash of a lattice point.
 metal::uint3 lattice_hash(
     metal::int3 cell,
-    uint seed_1
+    uint seed
 ) {
-    metal::uint3 _e9 = hash_pcg3d(as_type<metal::uint3>(cell) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    return _e9;
+    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -554,133 +601,106 @@ int naga_div(int lhs, int rhs) {
     return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
 }
 
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
 Cell nearest_cell(
     metal::float3 p,
-    uint seed_2
+    uint seed
 ) {
     metal::float3 nearest = metal::float3(4.0);
-    metal::uint3 hash_1 = metal::uint3(0u);
+    metal::uint3 hash = metal::uint3(0u);
     int i = 0;
     float border = {};
     int i_1 = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_3 = p - corner;
-    metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u);
+    metal::float3 d = p - corner;
+    metal::int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e51 = i;
-            i = as_type<int>(as_type<uint>(_e51) + as_type<uint>(1));
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        int _e13 = i;
-        if (_e13 < 27) {
+        if (i < 27) {
         } else {
             break;
         }
         {
-            int _e16 = i;
-            int _e21 = i;
-            int _e28 = i;
-            metal::int3 at_2 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e16, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e21, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e28, 9)) - as_type<uint>(1)));
-            metal::uint3 _e35 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_2)), seed_2);
-            metal::float3 _e40 = unit_of_hash(_e35);
-            metal::float3 offset_1 = ((static_cast<metal::float3>(at_2) + metal::float3(0.25)) + (0.5 * _e40)) - d_3;
-            metal::float3 _e46 = nearest;
-            metal::float3 _e47 = nearest;
-            if (metal::dot(offset_1, offset_1) < metal::dot(_e46, _e47)) {
-                nearest = offset_1;
-                hash_1 = _e35;
+            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
+            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
+            metal::float3 offset = ((static_cast<metal::float3>(at) + metal::float3(0.25)) + (0.5 * unit_of_hash(own))) - d;
+            if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
+                nearest = offset;
+                hash = own;
             }
         }
     }
-    metal::float3 _e53 = nearest;
-    float distance_1 = metal::length(_e53);
-    border = metal::max(0.5 * (CELL_REACH - distance_1), 0.0);
-    uint2 loop_bound_1 = uint2(4294967295u);
+    float distance = metal::length(nearest);
+    border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
     bool loop_init_1 = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e110 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e110) + as_type<uint>(1));
+            i_1 = as_type<int>(as_type<uint>(i_1) + as_type<uint>(1));
         }
         loop_init_1 = false;
-        int _e64 = i_1;
-        if (_e64 < 27) {
+        if (i_1 < 27) {
         } else {
             break;
         }
         {
-            int _e67 = i_1;
-            int _e72 = i_1;
-            int _e79 = i_1;
-            metal::int3 at_3 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e67, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e72, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e79, 9)) - as_type<uint>(1)));
-            metal::uint3 _e90 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_3)), seed_2);
-            metal::float3 _e91 = unit_of_hash(_e90);
-            metal::float3 _e96 = nearest;
-            metal::float3 apart = (((static_cast<metal::float3>(at_3) + metal::float3(0.25)) + (0.5 * _e91)) - d_3) - _e96;
+            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)), seed);
+            metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
+            metal::float3 apart = (((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * unit_of_hash_value)) - d) - nearest;
             float between = metal::length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if (between > 0.25) {
-                float _e101 = border;
-                metal::float3 _e102 = nearest;
-                border = metal::min(_e101, metal::dot(_e102 + (0.5 * apart), apart) / between);
+                border = metal::min(border, metal::dot(nearest + (0.5 * apart), apart) / between);
             }
         }
     }
-    float _e112 = border;
-    metal::uint3 _e115 = hash_1;
-    metal::uint3 _e116 = hash_pcg3d(_e115);
-    metal::float3 _e117 = unit_of_hash(_e116);
-    return Cell {metal::max(_e112, 0.0), _e117.x, distance_1};
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return Cell {metal::max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance};
 }
 
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
 Cells cells(
-    metal::float3 position_3,
+    metal::float3 position,
     float scale,
-    int seed_3
+    int seed
 ) {
-    metal::float3 _e4 = bounded_vec3_(position_3 * scale);
-    Cell _e6 = nearest_cell(_e4, 0u);
-    float _e7 = footprint_of_vec3_(_e4);
-    float visible = 1.0 - metal::smoothstep(0.5, 1.0, _e7);
+    metal::float3 p = bounded_vec3(position * scale);
+    Cell cell = nearest_cell(p, 0u);
+    float visible = 1.0 - metal::smoothstep(0.5, 1.0, footprint_of_vec3(p));
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
-    metal::float3 seen_1 = metal::mix(average, metal::float3(_e6.border, _e6.random, _e6.distance), visible);
-    return Cells {seen_1.x, seen_1.y, seen_1.z};
+    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance), visible);
+    return Cells {seen.x, seen.y, seen.z};
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e3 = look.lamp_position;
-    metal::float3 _e6 = look.lamp_aim;
-    metal::float3x3 _e9 = look.lamp_own_from_world;
-    metal::float3 _e12 = look.lamp_color;
-    float _e15 = look.lamp_intensity;
-    metal::float2 _e18 = look.lamp_cone;
-    metal::float2 _e21 = look.lamp_fading;
-    Light _e23 = light_spot(_e3, _e6, _e9, _e12, _e15, _e18, _e21, surface.position);
-    Angle angle_2 = Angle {0.5 * metal::length(surface.normal - _e23.direction), 0.5 * metal::length(surface.normal + _e23.direction)};
-    metal::float3 _e40 = look.lamp_position;
-    metal::float3 _e43 = look.lamp_aim;
-    metal::float3x3 _e45 = axes_turned(_e43, 0.0);
-    metal::float3 _e46 = place_along(surface.position, _e40, _e45);
-    float _e53 = share_of_doors(_e46, metal::float4(0.3, 0.36, 0.3, 0.2), 0.02);
-    metal::float3 _e56 = look.lamp_position;
-    metal::float3 _e61 = look.lamp_aim;
-    PlaceInLight _e63 = light_place_point(_e56, 0.4, 0.6, _e61, surface.position);
-    Cells _e69 = cells(metal::float3(_e63.uv, 0.0), 13.0, 0);
-    float both = _e53 * metal::smoothstep(0.12, 0.62, _e69.distance);
-    FilteredLight filter_2_ = FilteredLight {Light {_e23.direction, _e23.own_direction, _e23.color, _e23.intensity * both}, angle_2};
-    float _e85 = profile_balanced(filter_2_.angle, 0.0, tone_shape);
-    LitLayer _e92 = light_apply(filter_2_.light, metal::float4(0.93, 0.62, 0.36, 1.0), _e85);
-    Composite _e102 = blend_add(metal::float4(0.13, 0.14, 0.27, 1.0), _e92.color, _e92.tone, 1.0, true);
-    return _e102;
+    Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world, metal::float3(look.lamp_color), look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
+    Angle angle = Angle {0.5 * metal::length(surface.normal - lamp.direction), 0.5 * metal::length(surface.normal + lamp.direction)};
+    metal::float3 place_along_value = place_along(surface.position, look.lamp_position, axes_turned(look.lamp_aim, 0.0));
+    float doors = share_of_doors(place_along_value, metal::float4(0.3, 0.36, 0.3, 0.2), 0.02);
+    PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim, surface.position);
+    Cells leaves = cells(metal::float3(place.uv, 0.0), 13.0, 0);
+    float both = doors * metal::smoothstep(0.12, 0.62, leaves.distance);
+    FilteredLight filter_2 = FilteredLight {Light {lamp.direction, lamp.own_direction, lamp.color, lamp.intensity * both}, angle};
+    float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
+    LitLayer lit = light_apply(filter_2.light, metal::float4(0.93, 0.62, 0.36, 1.0), tone);
+    return blend_add(metal::float4(0.13, 0.14, 0.27, 1.0), lit.color, lit.tone, 1.0, true);
 }
 
 struct vs_mainInput {
@@ -698,11 +718,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_4, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -721,9 +738,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_4, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal, in.position};
-    metal::float4 _e8 = shade(surface_1, look);
-    return fs_mainOutput { _e8 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, in.position};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -2,24 +2,26 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // filter-before.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// What is known before the fragment.
 struct Look {
     float3 lamp_position;
     int _pad1_0;
@@ -33,6 +35,7 @@ struct Look {
     float2 lamp_fading;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -40,22 +43,33 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -63,38 +77,57 @@ struct LitLayer {
 };
 
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     float2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
     int _end_pad_0;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance_;
 };
 
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance_;
 };
 
@@ -109,25 +142,15 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
+/// The farthest that anything counts as from a shape, in sizes of the shape.
 static const float FAR_FROM_SHAPE = 1000.0;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 static const float CELL_REACH = 1.25;
-static const ProfileShape tone_shape = ConstructProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u);
+static const ProfileShape tone_shape = {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -146,11 +169,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -159,56 +187,64 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float2 sin_cos_eighth(float x_1)
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+float2 sin_cos_eighth(float x)
 {
-    float y_2 = (x_1 * x_1);
-    float s_2 = (x_1 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
-    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
-    return float2(s_2, c);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    return float2(s, c);
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
-float atan2_positive(float y, float x_2)
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
+float atan2_positive(float y, float x)
 {
-    float small = min(y, x_2);
-    float large = max(y, x_2);
+    float small = min(y, x);
+    float large = max(y, x);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float t = (small / large);
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2 = (r * r);
+    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_2) ? (HALF_PI - a) : a);
+    return ((y > x) ? (HALF_PI - a) : a);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -218,170 +254,188 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_3 = (u_1.half_sin - (u_1.half_cos * 0.0));
-    float c_1 = (u_1.half_cos + 0.0);
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_1));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + 0.0);
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-float bounded(float x_3)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_3);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float3 bounded_vec3_(float3 v_3)
+/// [`bounded`], component by component.
+float3 bounded_vec3(float3 v)
 {
-    uint3 bits_1 = asuint(v_3);
-    uint3 magnitude_1 = (bits_1 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
+    uint3 bits = asuint(v);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v : numbers);
 }
 
-float place_between(float x_4, float low, float high)
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high)
 {
     float span = (high - low);
     if ((span < SMALLEST_NORMAL)) {
-        return ((x_4 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    const float _e12 = bounded(((x_4 - low) / span));
-    return _e12;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_5, float low_1, float high_1)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high)
 {
-    const float _e3 = bounded(x_5);
-    const float _e4 = place_between(_e3, low_1, high_1);
-    float t_2 = clamp(_e4, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t = clamp(place_between(bounded(x), low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float angle_of_point(float y_1, float x_6)
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
+float angle_of_point(float y, float x)
 {
-    float2 p_1 = abs(float2(x_6, y_1));
-    float2 scaled_1 = ((max(p_1.x, p_1.y) > 1.0) ? (0.5 * p_1) : p_1);
-    const float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
-    return ((y_1 < 0.0) ? -(turned_1) : turned_1);
+    float2 p = abs(float2(x, y));
+    float2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    const float a = atan2_positive(scaled.y, scaled.x);
+    float turned = ((x < 0.0) ? (PI - a) : a);
+    return ((y < 0.0) ? -(turned) : turned);
 }
 
-float footprint_of(float x_7)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
-    float2 d = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+    float2 d = float2(ddx(x), ddy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float2 footprint_of_vec2_(float2 v_4)
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+float2 footprint_of_vec2(float2 v)
 {
-    float2 dx_1 = ddx(v_4);
-    float2 dy_1 = ddy(v_4);
-    return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
+    float2 dx = ddx(v);
+    float2 dy = ddy(v);
+    return sqrt(((dx * dx) + (dy * dy)));
 }
 
-float footprint_of_vec3_(float3 v_5)
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(float3 v)
 {
-    float3 dx_2 = ddx(v_5);
-    float3 dy_2 = ddy(v_5);
-    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+    float3 dx = ddx(v);
+    float3 dy = ddy(v);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
+/// Relative luminance by the Rec. 709 weights, of the numbers as they stand.
 float luminance(float4 color)
 {
     return dot(color.xyz, float3(0.2126, 0.7152, 0.0722));
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
-    float square_2 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e28, cross(toward, _e28), toward);
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(toward, x), toward);
 }
 
-float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool clamped)
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color_1.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float3x3 axes_turned(float3 toward_1, float spin)
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+float3x3 axes_turned(float3 toward, float spin)
 {
-    const float3x3 _e6 = axes_around(toward_1, float3(0.0, 1.0, 0.0));
+    const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
     float2 turn = float2(0.0, 1.0);
-    return float3x3(((turn.y * _e6[0]) + (turn.x * _e6[1])), ((turn.y * _e6[1]) - (turn.x * _e6[0])), _e6[2]);
+    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
-float3x3 axes_turned_2_(float3 toward_2, float spin_1)
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+float3x3 axes_turned_2(float3 toward, float spin)
 {
-    const float3x3 _e6 = axes_around(toward_2, float3(0.0, 1.0, 0.0));
-    const float2 _e13 = sin_cos_eighth((((spin_1 - 0.0) - 0.0) - 0.0));
-    float2 turn_1 = clamp(_e13, (-1.0).xx, (1.0).xx);
-    return float3x3(((turn_1.y * _e6[0]) + (turn_1.x * _e6[1])), ((turn_1.y * _e6[1]) - (turn_1.x * _e6[0])), _e6[2]);
+    const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
+    float2 turn = clamp(sin_cos_eighth((((spin - 0.0) - 0.0) - 0.0)), (-1.0).xx, (1.0).xx);
+    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 float3 place_along(float3 place, float3 center_, float3x3 axes)
 {
     float3 away = clamp((place - center_), (-1000000.0).xxx, (1000000.0).xxx);
     return float3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
 float share_beside(float m, float softness, float density, bool inverted)
 {
     float near = min(m, FAR_FROM_SHAPE);
-    const float _e6 = footprint_of(near);
-    float half_1 = (0.5 * min(_e6, 0.25));
-    const float _e15 = eased(near, (1.0 - half_1), (1.0 + half_1));
-    return (1.0 - _e15);
+    float half_ = (0.5 * min(footprint_of(near), 0.25));
+    const float beside = eased(near, (1.0 - half_), (1.0 + half_));
+    return (1.0 - beside);
 }
 
-float share_of_doors(float3 seen, float4 flaps, float softness_1)
+/// The share of a lamp's light that passes between four flaps, for a place as the lamp sees it and
+/// the angles to the left, right, top and bottom flap.
+float share_of_doors(float3 seen, float4 flaps, float softness)
 {
-    const float _e5 = angle_of_point(seen.x, seen.z);
-    const float _e8 = angle_of_point(seen.y, seen.z);
-    float2 angles = float2(_e5, _e8);
-    const float2 _e10 = footprint_of_vec2_(angles);
-    float2 half_2 = (0.5 * min(_e10, (0.1).xx));
-    float aside_1 = ((1.0 - smoothstep((flaps.x - half_2.x), (flaps.x + max(softness_1, half_2.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_2.x), (flaps.y + max(softness_1, half_2.x)), -(angles.x))));
-    return ((aside_1 * (1.0 - smoothstep((flaps.z - half_2.y), (flaps.z + max(softness_1, half_2.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_2.y), (flaps.w + max(softness_1, half_2.y)), -(angles.y))));
+    float2 angles = float2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
+    float2 half_ = (0.5 * min(footprint_of_vec2(angles), (0.1).xx));
+    float aside = ((1.0 - smoothstep((flaps.x - half_.x), (flaps.x + max(softness, half_.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_.x), (flaps.y + max(softness, half_.x)), -(angles.x))));
+    return ((aside * (1.0 - smoothstep((flaps.z - half_.y), (flaps.z + max(softness, half_.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_.y), (flaps.w + max(softness, half_.y)), -(angles.y))));
 }
 
-Angle angle_filtered(Angle u_2, float share)
+/// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
+/// the dark side grows from its edge as less passes, and everything is dark where nothing does.
+Angle angle_filtered(Angle u, float share)
 {
-    float cosine = (u_2.half_cos * share);
-    float square_3 = ((u_2.half_sin * u_2.half_sin) + (cosine * cosine));
-    float scale_1 = rsqrt(max(square_3, 1e-30));
-    bool is_dark = (square_3 < 1e-30);
-    const Angle angle_3 = ConstructAngle((is_dark ? 1.0 : (u_2.half_sin * scale_1)), (is_dark ? 0.0 : (cosine * scale_1)));
+    float cosine = (u.half_cos * share);
+    float square = ((u.half_sin * u.half_sin) + (cosine * cosine));
+    float scale = rsqrt(max(square, 1e-30));
+    bool is_dark = (square < 1e-30);
+    const Angle angle_3 = ConstructAngle((is_dark ? 1.0 : (u.half_sin * scale)), (is_dark ? 0.0 : (cosine * scale)));
     return angle_3;
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, float2 fading)
 {
     float left = 1.0;
 
     if ((fading.x > 0.0)) {
-        float d_1 = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d_1 * d_1)));
+        float d = min((distance_ / fading.x), 1000000000000000.0);
+        left = (1.0 / (1.0 + (d * d)));
     }
     if ((fading.y > 0.0)) {
-        float d_2 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_2 * d_2) * d_2) * d_2)), 0.0);
-        float _e30 = left;
-        left = (_e30 * (window * window));
+        float d_1 = min((distance_ / fading.y), 1.0);
+        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
+        left = (left * (window * window));
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
 Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
@@ -393,38 +447,36 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
     return ret;
 }
 
-Light light_at(float3 light_position, float3x3 own_from_world, float3 color_2, float intensity, float2 fading_1, float3 position)
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
+Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity, float2 fading, float3 position)
 {
     float3 offset = (light_position - position);
-    const float3 _e11 = normalize_or(offset, float3(0.0, 0.0, 1.0));
-    const float _e13 = light_fading(length(offset), fading_1);
-    float faded = (intensity * _e13);
-    const Light light_2 = ConstructLight(_e11, mul(_e11, own_from_world), color_2, faded);
+    const float3 direction = normalize_or(offset, float3(0.0, 0.0, 1.0));
+    float faded = (intensity * light_fading(length(offset), fading));
+    const Light light_2 = ConstructLight(direction, mul(direction, own_from_world), color, faded);
     return light_2;
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, float2 cone)
 {
     if ((cone.x <= cone.y)) {
         return ((cos_angle >= cone.y) ? 1.0 : 0.0);
     }
-    float t_3 = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-Light light_spot(float3 light_position_1, float3 aim, float3x3 own_from_world_1, float3 color_3, float intensity_1, float2 cone_1, float2 fading_2, float3 position_1)
+Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color, float intensity, float2 cone, float2 fading, float3 position)
 {
     Light light = (Light)0;
 
-    const Light _e8 = light_at(light_position_1, own_from_world_1, color_3, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    float3 _e13 = light.direction;
-    const float _e16 = light_cone(dot(-(_e13), aim), cone_1);
-    light.intensity = (_e11 * _e16);
-    Light _e18 = light;
-    const Light light_3 = _e18;
-    return light_3;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
+    const Light light_1 = light;
+    return light_1;
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -434,10 +486,14 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light_1, float4 color_4, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
-    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_4.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
@@ -450,110 +506,91 @@ PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
 
 PlaceInLight place_in_light(float2 at)
 {
-    float2 near_1 = clamp(at, (-1000.0).xx, (1000.0).xx);
-    const float _e14 = share_beside(max(abs(near_1.x), abs(near_1.y)), 0.0, 1.0, true);
-    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near_1.x), near_1.y))), _e14);
+    float2 near = clamp(at, (-1000.0).xx, (1000.0).xx);
+    const float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
+    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near.x), near.y))), inside);
     return placeinlight;
 }
 
-PlaceInLight light_place_point(float3 light_position_2, float angle, float spin_2, float3 toward_3, float3 position_2)
+PlaceInLight light_place_point(float3 light_position, float angle, float spin, float3 toward, float3 position)
 {
-    const float3x3 _e5 = axes_turned_2_(toward_3, spin_2);
-    const float3 _e6 = place_along(position_2, light_position_2, _e5);
-    const float2 _e13 = sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0));
-    float2 turn_2 = clamp(_e13, (-1.0).xx, (1.0).xx);
-    float2 at_1 = ((_e6.xy * (turn_2.y / turn_2.x)) / (max(_e6.z, 0.001)).xx);
-    const PlaceInLight _e35 = place_in_light(((_e6.z > 0.001) ? at_1 : (1000.0).xx));
-    const PlaceInLight placeinlight_1 = _e35;
+    const float3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
+    float2 turn = clamp(sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0)), (-1.0).xx, (1.0).xx);
+    float2 at = ((seen.xy * (turn.y / turn.x)) / (max(seen.z, 0.001)).xx);
+    const PlaceInLight placeinlight_1 = place_in_light(((seen.z > 0.001) ? at : (1000.0).xx));
     return placeinlight_1;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_1, ProfileShape shape_2)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_3.half_sin * shape_2.half_cos_offset) - (u_3.half_cos * shape_2.half_sin_offset)), ((u_3.half_cos * shape_2.half_cos_offset) + (u_3.half_sin * shape_2.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) & (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place_1.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place_1.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_1);
-    float2 turn_3 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e56 = profile_soft_quick(((place_1.x * turn_3.y) - (place_1.y * turn_3.x)), shape_2);
-    const float _e64 = profile_soft_quick(((place_1.x * turn_3.y) + (place_1.y * turn_3.x)), shape_2);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle_1, float shift, ProfileShape shape_3)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_6 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_6;
-    uint3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_6;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
     return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
 }
 
-uint3 lattice_hash(int3 cell, uint seed_1)
+/// The hash of a lattice point.
+uint3 lattice_hash(int3 cell, uint seed)
 {
-    const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -577,89 +614,69 @@ int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-Cell nearest_cell(float3 p, uint seed_2)
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
+Cell nearest_cell(float3 p, uint seed)
 {
     float3 nearest = (4.0).xxx;
-    uint3 hash_1 = (0u).xxx;
+    uint3 hash = (0u).xxx;
     int i = int(0);
     float border = (float)0;
     int i_1 = int(0);
 
     float3 corner = floor(p);
-    float3 d_3 = (p - corner);
-    int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    float3 d = (p - corner);
+    int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e51 = i;
-            i = asint(asuint(_e51) + asuint(int(1)));
+            i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        int _e13 = i;
-        if ((_e13 < int(27))) {
+        if ((i < int(27))) {
         } else {
             break;
         }
         {
-            int _e16 = i;
-            int _e21 = i;
-            int _e28 = i;
-            int3 at_2 = int3(asint(asuint(naga_mod(_e16, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e21, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e28, int(9))) - asuint(int(1))));
-            const uint3 _e35 = lattice_hash(asint(asuint(cell_1) + asuint(at_2)), seed_2);
-            const float3 _e40 = unit_of_hash(_e35);
-            float3 offset_1 = (((float3(at_2) + (0.25).xxx) + (0.5 * _e40)) - d_3);
-            float3 _e46 = nearest;
-            float3 _e47 = nearest;
-            if ((dot(offset_1, offset_1) < dot(_e46, _e47))) {
-                nearest = offset_1;
-                hash_1 = _e35;
+            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+            const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
+            float3 offset = (((float3(at) + (0.25).xxx) + (0.5 * unit_of_hash(own))) - d);
+            if ((dot(offset, offset) < dot(nearest, nearest))) {
+                nearest = offset;
+                hash = own;
             }
         }
     }
-    float3 _e53 = nearest;
-    float distance_1 = length(_e53);
-    border = max((0.5 * (CELL_REACH - distance_1)), 0.0);
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+    float distance_ = length(nearest);
+    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
     bool loop_init_1 = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e110 = i_1;
-            i_1 = asint(asuint(_e110) + asuint(int(1)));
+            i_1 = asint(asuint(i_1) + asuint(int(1)));
         }
         loop_init_1 = false;
-        int _e64 = i_1;
-        if ((_e64 < int(27))) {
+        if ((i_1 < int(27))) {
         } else {
             break;
         }
         {
-            int _e67 = i_1;
-            int _e72 = i_1;
-            int _e79 = i_1;
-            int3 at_3 = int3(asint(asuint(naga_mod(_e67, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e72, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e79, int(9))) - asuint(int(1))));
-            const uint3 _e90 = lattice_hash(asint(asuint(cell_1) + asuint(at_3)), seed_2);
-            const float3 _e91 = unit_of_hash(_e90);
-            float3 _e96 = nearest;
-            float3 apart = ((((float3(at_3) + (0.25).xxx) + (0.5 * _e91)) - d_3) - _e96);
+            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell) + asuint(at_1)), seed));
+            float3 apart = ((((float3(at_1) + (0.25).xxx) + (0.5 * unit_of_hash_value)) - d) - nearest);
             float between = length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if ((between > 0.25)) {
-                float _e101 = border;
-                float3 _e102 = nearest;
-                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
             }
         }
     }
-    float _e112 = border;
-    uint3 _e115 = hash_1;
-    const uint3 _e116 = hash_pcg3d(_e115);
-    const float3 _e117 = unit_of_hash(_e116);
-    const Cell cell_2 = ConstructCell(max(_e112, 0.0), _e117.x, distance_1);
-    return cell_2;
+    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return cell_1;
 }
 
 Cells ConstructCells(float arg0, float arg1, float arg2) {
@@ -670,15 +687,19 @@ Cells ConstructCells(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-Cells cells(float3 position_3, float scale, int seed_3)
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
+Cells cells(float3 position, float scale, int seed)
 {
-    const float3 _e4 = bounded_vec3_((position_3 * scale));
-    const Cell _e6 = nearest_cell(_e4, 0u);
-    const float _e7 = footprint_of_vec3_(_e4);
-    float visible = (1.0 - smoothstep(0.5, 1.0, _e7));
+    const float3 p = bounded_vec3((position * scale));
+    const Cell cell = nearest_cell(p, 0u);
+    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p)));
     float3 average = float3(0.1301, 0.5, 0.491);
-    float3 seen_1 = lerp(average, float3(_e6.border, _e6.random, _e6.distance_), visible);
-    const Cells cells_1 = ConstructCells(seen_1.x, seen_1.y, seen_1.z);
+    float3 seen = lerp(average, float3(cell.border, cell.random, cell.distance_), visible);
+    const Cells cells_1 = ConstructCells(seen.x, seen.y, seen.z);
     return cells_1;
 }
 
@@ -689,34 +710,20 @@ FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
     return ret;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e3 = look.lamp_position;
-    float3 _e6 = look.lamp_aim;
-    float3x3 _e9 = look.lamp_own_from_world;
-    float3 _e12 = look.lamp_color;
-    float _e15 = look.lamp_intensity;
-    float2 _e18 = look.lamp_cone;
-    float2 _e21 = look.lamp_fading;
-    const Light _e23 = light_spot(_e3, _e6, _e9, _e12, _e15, _e18, _e21, surface.position);
-    Angle angle_4 = ConstructAngle((0.5 * length((surface.normal - _e23.direction))), (0.5 * length((surface.normal + _e23.direction))));
-    float3 _e40 = look.lamp_position;
-    float3 _e43 = look.lamp_aim;
-    const float3x3 _e45 = axes_turned(_e43, 0.0);
-    const float3 _e46 = place_along(surface.position, _e40, _e45);
-    const float _e53 = share_of_doors(_e46, float4(0.3, 0.36, 0.3, 0.2), 0.02);
-    float3 _e56 = look.lamp_position;
-    float3 _e61 = look.lamp_aim;
-    const PlaceInLight _e63 = light_place_point(_e56, 0.4, 0.6, _e61, surface.position);
-    const Cells _e69 = cells(float3(_e63.uv, 0.0), 13.0, int(0));
-    float both = (_e53 * smoothstep(0.12, 0.62, _e69.distance_));
-    const float _e77 = luminance((1.0).xxxx);
-    const Angle _e81 = angle_filtered(angle_4, (both * min(_e77, 1.0)));
-    FilteredLight filter_2_ = ConstructFilteredLight(_e23, _e81);
-    const float _e86 = profile_balanced(filter_2_.angle, 0.0, tone_shape);
-    const LitLayer _e93 = light_apply(filter_2_.light, float4(0.93, 0.62, 0.36, 1.0), _e86);
-    const float4 _e103 = blend_add(float4(0.13, 0.14, 0.27, 1.0), _e93.color, _e93.tone, 1.0, true);
-    return _e103;
+    const Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world, look.lamp_color, look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
+    Angle angle = ConstructAngle((0.5 * length((surface.normal - lamp.direction))), (0.5 * length((surface.normal + lamp.direction))));
+    const float3 place_along_value = place_along(surface.position, look.lamp_position, axes_turned(look.lamp_aim, 0.0));
+    const float doors = share_of_doors(place_along_value, float4(0.3, 0.36, 0.3, 0.2), 0.02);
+    const PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim, surface.position);
+    const Cells leaves = cells(float3(place.uv, 0.0), 13.0, int(0));
+    float both = (doors * smoothstep(0.12, 0.62, leaves.distance_));
+    FilteredLight filter_2 = ConstructFilteredLight(lamp, angle_filtered(angle, (both * min(luminance((1.0).xxxx), 1.0))));
+    const float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
+    const LitLayer lit_ = light_apply(filter_2.light, float4(0.93, 0.62, 0.36, 1.0), tone);
+    return blend_add(float4(0.13, 0.14, 0.27, 1.0), lit_.color, lit_.tone, 1.0, true);
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -729,11 +736,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -749,9 +753,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_5, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_2, in_.position);
-    const float4 _e8 = shade(surface_1);
-    return _e8;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, in_.position);
+    return shade(surface);
 }

@@ -6,36 +6,57 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     vec2 viewport;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec2 pixel;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -54,50 +75,65 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 vec2 sin_cos_quarter(float x) {
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     float h = (0.5 * x);
-    float h2_ = (h * h);
-    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
+    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_5, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float eased(float x_1, float low, float high) {
-    float t_1 = clamp(((x_1 - low) / (high - low)), 0.0, 1.0);
-    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-vec2 footprint_of_vec2_(vec2 v_1) {
-    vec2 dx_1 = dFdx(v_1);
-    vec2 dy_1 = dFdy(v_1);
-    return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+vec2 footprint_of_vec2(vec2 v) {
+    vec2 dx = dFdx(v);
+    vec2 dy = dFdy(v);
+    return sqrt(((dx * dx) + (dy * dy)));
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d_2 = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d_2 - light.direction))), (0.5 * length((d_2 + light.direction))));
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
     float width = sqrt((w * w));
     float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
@@ -105,167 +141,164 @@ float profile_ramp_quick(float s, float w, ProfileShape shape) {
     return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_1) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick(((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset)), _e14, shape_1);
-    return _e15;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
-vec2 turned_by(vec2 p, float angle_1) {
-    vec2 turn = vec2(sin(angle_1), cos(angle_1));
+/// p turned by an angle in radians, from x to y.
+vec2 turned_by(vec2 p, float angle) {
+    vec2 turn = vec2(sin(angle), cos(angle));
     return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
 }
 
-vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
+/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
+/// and is turned by an angle in radians.
+vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle) {
     vec2 most = vec2(4194304.0);
     vec2 upright = (place * (lines / max(viewport.y, 1.0)));
-    vec2 _e14 = turned_by(clamp(upright, vec2(-4194304.0), most), angle_2);
-    return clamp(_e14, vec2(-4194304.0), most);
+    return clamp(turned_by(clamp(upright, vec2(-4194304.0), most), angle), vec2(-4194304.0), most);
 }
 
+/// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
+/// they overlap, and at 1 they reach the middle between four.
 float dot_radius(float share) {
     float a = 0.0;
     int i = 0;
     if ((share <= 0.7853982)) {
         return sqrt((share * 0.31830987));
     }
-    float s_3 = ((share - 0.7853982) / 0.21460183);
-    a = mix((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
+    float s = ((share - 0.7853982) / 0.21460183);
+    a = mix((0.5227232 * sqrt(s)), (0.7853982 - (0.3275682 * sqrt((1.0 - s)))), s);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e61 = i;
-            i = (_e61 + 1);
+            i = (i + 1);
         }
         loop_init = false;
-        int _e24 = i;
-        if (!((_e24 < 2))) {
+        if (!((i < 2))) {
             break;
         }
-        float _e28 = a;
-        vec2 _e32 = sin_cos_quarter(clamp(_e28, 0.0, 0.7853982));
-        float tangent = (_e32.x / _e32.y);
-        float square = (1.0 / (_e32.y * _e32.y));
-        float _e41 = a;
-        float sector = (0.7853982 - _e41);
+        vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
+        float tangent = (turn.x / turn.y);
+        float square = (1.0 / (turn.y * turn.y));
+        float sector = (0.7853982 - a);
         float slope = (((2.0 * sector) * square) * tangent);
-        float _e48 = a;
-        a = clamp((_e48 - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
+        a = clamp((a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
     }
-    float _e64 = a;
-    vec2 _e65 = sin_cos_quarter(_e64);
-    return (0.5 / _e65.y);
+    return (0.5 / sin_cos_quarter(a).y);
 }
 
-float disk_filtered(float d, float r, float w_1) {
-    if ((w_1 < 1e-30)) {
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
+float disk_filtered(float d, float r, float w) {
+    if ((w < 1e-30)) {
         return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square_1 = (r * r);
-    float least = ((w_1 * w_1) / 3.0);
-    float inner = sqrt((max(square_1, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w_1)), 0.0, 1.0) * min((square_1 / least), 1.0));
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
+    float square = (r * r);
+    float least = ((w * w) / 3.0);
+    float inner = sqrt((max(square, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
 }
 
-float disk_filtered_2_(float d_1, float r_1, float w_2) {
-    if ((w_2 < 1e-30)) {
-        return (((d_1 <= r_1) && true) ? 1.0 : 0.0);
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
+float disk_filtered_2(float d, float r, float w) {
+    if ((w < 1e-30)) {
+        return (((d <= r) && true) ? 1.0 : 0.0);
     }
-    float square_2 = (r_1 * r_1);
-    float least_1 = ((w_2 * w_2) / 3.0);
-    float inner_1 = sqrt((max(square_2, least_1) - (0.25 * least_1)));
-    return (clamp((0.5 + ((inner_1 - d_1) / w_2)), 0.0, 1.0) * min((square_2 / least_1), 1.0));
+    float square = (r * r);
+    float least = ((w * w) / 3.0);
+    float inner = sqrt((max(square, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
 }
 
-float ink_of_dots(vec2 cell, float share_1, float w_3) {
+/// Ink of round dots that cover `share` of the plane.
+float ink_of_dots(vec2 cell, float share, float w) {
     float ink = 0.0;
-    float width_1 = min(w_3, 1.0);
-    float _e8 = dot_radius(share_1);
-    float _e9 = disk_filtered(length((cell - roundEven(cell))), _e8, width_1);
-    ink = _e9;
-    float hole = sqrt(((1.0 - share_1) * 0.31830987));
-    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width_1) * smoothstep(0.5, 0.7, share_1));
+    float width = min(w, 1.0);
+    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
+    float hole = sqrt(((1.0 - share) * 0.31830987));
+    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
     if ((is_star > 0.0)) {
-        float _e27 = ink;
-        float _e34 = disk_filtered_2_(length(((cell - floor(cell)) - vec2(0.5))), hole, width_1);
-        ink = mix(_e27, (1.0 - _e34), is_star);
+        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
     }
-    float _e38 = ink;
-    float mean = mix(_e38, share_1, smoothstep(0.4, 1.0, w_3));
-    return (((share_1 <= 0.0) || false) ? share_1 : mean);
+    float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
+    return (((share <= 0.0) || false) ? share : mean);
 }
 
-float ink_of_dots_2_(vec2 cell_1, float share_2, float w_4) {
-    float ink_1 = 0.0;
-    float width_2 = min(w_4, 1.0);
-    float _e11 = disk_filtered(length((cell_1 - roundEven(cell_1))), sqrt((share_2 * 0.31830987)), width_2);
-    ink_1 = _e11;
-    float hole_1 = sqrt(((1.0 - share_2) * 0.31830987));
-    float is_star_1 = (smoothstep((0.3 * hole_1), (0.9 * hole_1), width_2) * smoothstep(0.5, 0.7, share_2));
-    if ((is_star_1 > 0.0)) {
-        float _e29 = ink_1;
-        float _e36 = disk_filtered_2_(length(((cell_1 - floor(cell_1)) - vec2(0.5))), hole_1, width_2);
-        ink_1 = mix(_e29, (1.0 - _e36), is_star_1);
+/// Ink of round dots that cover `share` of the plane.
+float ink_of_dots_2(vec2 cell, float share, float w) {
+    float ink = 0.0;
+    float width = min(w, 1.0);
+    ink = disk_filtered(length((cell - roundEven(cell))), sqrt((share * 0.31830987)), width);
+    float hole = sqrt(((1.0 - share) * 0.31830987));
+    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
+    if ((is_star > 0.0)) {
+        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
     }
-    float _e40 = ink_1;
-    float mean_1 = mix(_e40, share_2, smoothstep(0.4, 1.0, w_4));
-    return (((share_2 <= 0.0) || false) ? share_2 : mean_1);
+    float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
+    return (((share <= 0.0) || false) ? share : mean);
 }
 
-float halftone_dots(float value, vec2 place_1, float lines_1, float angle_3, vec2 viewport_1) {
-    vec2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
-    vec2 _e6 = footprint_of_vec2_(_e5);
-    float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
-    return (1.0 - _e14);
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
+float halftone_dots(float value, vec2 place, float lines, float angle, vec2 viewport) {
+    vec2 cell = screen_cells(place, viewport, lines, angle);
+    vec2 w = footprint_of_vec2(cell);
+    return (1.0 - ink_of_dots(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
 }
 
-float halftone_dots_2_(float value_1, vec2 place_2, float lines_2, float angle_4, vec2 viewport_2) {
-    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
-    vec2 _e6 = footprint_of_vec2_(_e5);
-    float _e12 = ink_of_dots_2_(_e5, (1.0 - value_1), max(_e6.x, _e6.y));
-    return (1.0 - _e12);
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
+float halftone_dots_2(float value, vec2 place, float lines, float angle, vec2 viewport) {
+    vec2 cell = screen_cells(place, viewport, lines, angle);
+    vec2 w = footprint_of_vec2(cell);
+    return (1.0 - ink_of_dots_2(cell, (1.0 - value), max(w.x, w.y)));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    float light_and_shade = max(((dot(surface.normal, _e5) + 0.25) / 1.25), 0.0);
+    float light_and_shade = max(((dot(surface.normal, u_look.key.direction) + 0.25) / 1.25), 0.0);
     float red_to_print = mix(0.15, 1.0, clamp(((light_and_shade - 0.1) / 0.65), 0.0, 1.0));
-    vec2 _e28 = u_look.viewport;
-    float _e29 = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, _e28);
-    vec4 red_on_yellow = mix(vec4(0.91, 0.3, 0.24, 1.0), vec4(1.0, 0.87, 0.58, 1.0), _e29);
-    vec3 _e45 = u_look.key.direction;
-    vec3 _e54 = u_look.key.direction;
-    Angle turned_from_the_light = Angle((0.5 * length((surface.normal - _e45))), (0.5 * length((surface.normal + _e54))));
-    float _e62 = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
-    float deep_shade = (1.0 - _e62);
+    float red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, u_look.viewport);
+    vec4 red_on_yellow = mix(vec4(0.91, 0.3, 0.24, 1.0), vec4(1.0, 0.87, 0.58, 1.0), red_dots);
+    Angle turned_from_the_light = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
+    float deep_shade = (1.0 - not_in_deep_shade);
     float how_much_blue = (deep_shade * 0.62);
     float less = (1.0 - how_much_blue);
-    vec2 _e74 = u_look.viewport;
-    float _e75 = halftone_dots_2_(less, surface.pixel, 78.0, 1.3089969, _e74);
-    float inked = (1.0 - _e75);
+    float blue_dots = halftone_dots_2(less, surface.pixel, 78.0, 1.3089969, u_look.viewport);
+    float inked = (1.0 - blue_dots);
     vec4 blue_over_it = vec4(mix(red_on_yellow.xyz, (red_on_yellow.xyz * vec3(0.24, 0.3, 0.58)), inked), 1.0);
-    Light _e90 = u_look.key;
-    Angle _e93 = parametrization_specular_balanced(_e90, surface.normal, surface.view);
-    float _e96 = profile_balanced(_e93, 0.0, highlight_shape);
-    vec4 left_free = mix(blue_over_it, vec4(1.0, 0.99, 0.95, 1.0), _e96);
-    float _e111 = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
-    vec4 black_line = mix(left_free, vec4(0.09, 0.07, 0.13, 1.0), _e111);
+    Angle mirrored = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float highlight = profile_balanced(mirrored, 0.0, highlight_shape);
+    vec4 left_free = mix(blue_over_it, vec4(1.0, 0.99, 0.95, 1.0), highlight);
+    float contour = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
+    vec4 black_line = mix(left_free, vec4(0.09, 0.07, 0.13, 1.0), contour);
     return black_line;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e22 = u_view.screen;
-    vec4 _e27 = u_view.screen;
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), ((in_.clip.xy * _e22.xy) + _e27.zw));
-    vec4 _e31 = shade(surface_1);
-    out_color = _e31;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw));
+    out_color = shade(surface);
     return;
 }
 

@@ -1,39 +1,47 @@
 // Highlights, cut and joined: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_2 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // highlight-cut.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -41,38 +49,55 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     float3 direction;
     int _pad1_0;
     float3 x_axis;
     int _pad2_0;
     float3 y_axis;
     int _pad3_0;
+    /// The direction's cosines with the two axes.
     float2 place;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     float3 x_axis;
     int _pad1_0;
+    /// Unit, upright.
     float3 y_axis;
     int _end_pad_0;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -87,25 +112,12 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
+static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
+static const ProfileShape disc_shape = {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
+static const ProfileShape bite_shape = {0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u};
+static const ProfileShape dot_shape = {0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 1u};
 
-static const ProfileShape lit_side_shape = ConstructProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
-static const ProfileShape disc_shape = ConstructProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
-static const ProfileShape bite_shape = ConstructProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
-static const ProfileShape dot_shape = ConstructProfileShape(0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 1u);
-
-cbuffer view_2 : register(b0) { View view_2; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -122,11 +134,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -135,31 +152,37 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_2)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -169,40 +192,46 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_3 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_3, u_1.half_cos));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, float2 t)
 {
-    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c));
-    float2 turned_1 = (((s_4 <= 0.0) & (s_4 < c)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_3 = ConstructAngle(turned_1.x, turned_1.y);
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + (u.half_sin * 0.0));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
-float footprint_of(float x_1)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_1);
-    float _e2 = ddy(x_1);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a_1 = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
+    float a = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
+/// Angle between directions
+///
+/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and
+/// the normal, a hair's tangent and a light.
 Angle angle_between_directions(float3 a, float3 b)
 {
     const Angle angle_4 = ConstructAngle((0.5 * length((a - b))), (0.5 * length((a + b))));
@@ -218,6 +247,8 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
     float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
@@ -225,21 +256,24 @@ DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
     return directionparts;
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
     float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
-    const float3 _e13 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
+    const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
-    float square_2 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e28, cross(toward, _e28), toward);
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(toward, x), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -249,19 +283,28 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_1, float3 up_1)
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
+AxesAround axes(float3 direction, float3 up)
 {
-    const float3x3 _e2 = axes_around(direction_1, up_1);
-    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
+    const float3x3 axes_2 = axes_around(direction, up);
+    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
     return axesaround;
 }
 
+/// Half-vector
+///
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of
+/// them with the nodes beside this one, measure the Angle between directions, and the highlight
+/// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_1 = (light.direction + view);
-    const float3 _e4 = any_orthogonal(view);
-    const float3 _e9 = normalize_or(((dot(half_1, half_1) > 1e-12) ? half_1 : _e4), view);
-    return _e9;
+    float3 half_ = (light.direction + view);
+    const float3 any_orthogonal_value = any_orthogonal(view);
+    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -269,106 +312,107 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_2 = sqrt((w_1 * w_1));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_2);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+    const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
-float rim(Light light_1, float3 normal, float3 view_1, float width, float softness, float follow)
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
+float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
-    float facing = clamp(dot(normal, view_1), 0.0, 1.0);
-    const float _e11 = footprint_of(facing);
-    float edge = max((width * softness), min(_e11, 1.0));
-    float3 aside_1 = (normal - view_1);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside_1, aside_1)) - (1.0 - width)) : (width - facing));
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float edge = max((width * softness), min(footprint_of(facing), 1.0));
+    float3 aside = (normal - view);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
-    float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    float side = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
+    float3 across = (light.direction - (dot(light.direction, view) * view));
+    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - _e22);
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    const float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
+    float in_the_dark = (1.0 - lit_side);
     float4 shadow = float4((float3(0.62, 0.16, 0.26) * lerp((1.0).xxx, float3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
-    float3 normal_3 = surface.normal;
-    Light _e42 = look.key;
-    const float3 _e44 = half_vector(_e42, surface.view);
-    const Angle _e45 = angle_between_directions(normal_3, _e44);
-    const float _e48 = profile_balanced_2_(_e45, 0.0, disc_shape);
-    const AxesAround _e53 = axes(_e44, float3(0.0, 1.0, 0.0));
-    const DirectionParts _e56 = direction_within(normal_3, _e53.x_axis, _e53.y_axis);
-    const float3 _e60 = direction_moved(_e56, float2(-0.13, 0.13));
-    const Angle _e61 = angle_between_directions(_e60, _e44);
-    const float _e64 = profile_balanced_2_(_e61, 0.0, bite_shape);
-    float crescent = min(_e48, (1.0 - _e64));
-    const DirectionParts _e70 = direction_within(normal_3, _e53.x_axis, _e53.y_axis);
-    const float3 _e74 = direction_moved(_e70, float2(-0.06, 0.06));
-    const Angle _e75 = angle_between_directions(_e74, _e44);
-    const float _e78 = profile_balanced_2_(_e75, 0.0, dot_shape);
-    float crescent_and_dot = max(crescent, _e78);
-    const float4 _e87 = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
-    Light _e90 = look.back;
-    const float _e96 = rim(_e90, surface.normal, surface.view, 0.42, 0.08, 1.0);
-    float rim_in_the_dark_only = min(_e96, in_the_dark);
-    float4 rim_s_light = clamp(float4((_e87.xyz + (0.6 * ((_e87.xyz + (rim_in_the_dark_only * float3(1.0, 0.62, 0.5))) - _e87.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 normal = surface.normal;
+    const float3 half_ = half_vector(look.key, surface.view);
+    const Angle from_the_highlight = angle_between_directions(normal, half_);
+    const float disc = profile_balanced_2(from_the_highlight, 0.0, disc_shape);
+    const AxesAround upright = axes(half_, float3(0.0, 1.0, 0.0));
+    const float3 aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), float2(-0.13, 0.13));
+    const Angle from_beside_it = angle_between_directions(aside, half_);
+    const float bite = profile_balanced_2(from_beside_it, 0.0, bite_shape);
+    float crescent = min(disc, (1.0 - bite));
+    const float3 dot_s_place = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), float2(-0.06, 0.06));
+    const Angle from_the_dot = angle_between_directions(dot_s_place, half_);
+    const float dot_2 = profile_balanced_2(from_the_dot, 0.0, dot_shape);
+    float crescent_and_dot = max(crescent, dot_2);
+    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    const float rim_2 = rim(look.back, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    float rim_in_the_dark_only = min(rim_2, in_the_dark);
+    float4 rim_s_light = clamp(float4((highlight_on_top.xyz + (0.6 * ((highlight_on_top.xyz + (rim_in_the_dark_only * float3(1.0, 0.62, 0.5))) - highlight_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return rim_s_light;
 }
 
@@ -382,11 +426,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_2.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -402,11 +443,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_4 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_2.eye;
-    float _e13 = view_2.eye.w;
-    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
-    const float4 _e19 = shade(surface_1);
-    return _e19;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    return shade(surface);
 }

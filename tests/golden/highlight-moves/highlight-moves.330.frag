@@ -6,14 +6,21 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
@@ -27,32 +34,50 @@ struct Look {
     float square_amount;
     vec4 body;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     vec3 direction;
     vec3 x_axis;
     vec3 y_axis;
+    /// The direction's cosines with the two axes.
     vec2 place;
 };
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     vec3 x_axis;
+    /// Unit, upright.
     vec3 y_axis;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -61,7 +86,7 @@ struct Varyings {
     vec3 normal;
 };
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
+const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
@@ -74,199 +99,248 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
-vec4 finite_vec4_(vec4 v) {
+/// v with 0 for each component that is NaN or infinite.
+vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_or(vec3 v_1, vec3 otherwise) {
-    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
+vec3 normalize_or(vec3 v, vec3 otherwise) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
         return otherwise;
     }
-    vec3 scaled = (v_1 * (1.0 / largest));
+    vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable(float x) {
+    float clamped = max(x, -126.0);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-float log_stable(float x_3) {
-    float _e2 = log2_stable(x_3);
-    return (LN_2_ * _e2);
+/// ln(x) for normal x > 0.
+float log_stable(float x) {
+    return (LN_2 * log2_stable(x));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1) {
-    if ((y_1 < 0.25)) {
-        float _e3 = log1p_negative_small(y_1);
-        return _e3;
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y) {
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
-    return _e8;
+    return log_stable(max((1.0 - y), 1.1754944e-38));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s_3 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
+vec2 sin_cos_quarter(float x) {
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
+    float h = (0.5 * x);
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s_3) * c), (1.0 - ((2.0 * s_3) * s_3)));
+    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-vec2 sin_cos(float x_5) {
-    float turns = roundEven((x_5 * 0.31830987));
-    float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
+vec2 sin_cos(float x) {
+    float turns = roundEven((x * 0.31830987));
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    float r = (((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    return (sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI)));
 }
 
-vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen_balanced(vec3 v_3) {
-    return (v_3 * inversesqrt(max(dot(v_3, v_3), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_4 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_1.half_cos));
-    vec2 turned = (((s_4 <= 0.0) && (s_4 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_5 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_1 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    vec2 upper_1 = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_5, c_1));
-    vec2 turned_1 = (((s_5 <= 0.0) && (s_5 < c_1)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + (u.half_sin * 0.0));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_1 = floatBitsToUint(v_4);
-    uvec3 magnitude = (bits_1 & uvec3(2147483647u));
-    vec3 largest_1 = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude, uvec3(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude, uvec3(2139095040u)));
+/// [`bounded`], component by component.
+vec3 bounded_vec3(vec3 v) {
+    uvec3 bits = floatBitsToUint(v);
+    uvec3 magnitude = (bits & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-float footprint_of(float x_6) {
-    float _e1 = dFdx(x_6);
-    float _e2 = dFdy(x_6);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 vec3 any_orthogonal(vec3 n) {
-    float sign_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_1 + n.z));
-    return vec3((1.0 + (((sign_1 * n.x) * n.x) * a)), (((sign_1 * n.x) * n.y) * a), (-(sign_1) * n.x));
+    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (sign_ + n.z));
+    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y_4 = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
-    return DirectionParts(direction, x_axis, y_4, vec2(dot(direction, x_axis), dot(direction, y_4)));
+    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
     vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    vec3 _e18 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+    vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
-vec3 direction_moved_2_(DirectionParts parts_1, vec2 by_1) {
-    vec3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
-    vec3 _e13 = normalize_moderate(moved_1, parts_1.direction);
-    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
+vec3 direction_moved_2(DirectionParts parts, vec2 by) {
+    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_moderate(up, vec3(0.0, 1.0, 0.0));
-    vec3 leaning = cross(_e6, toward);
-    float square_2 = dot(leaning, leaning);
+    vec3 y = normalize_moderate(up, vec3(0.0, 1.0, 0.0));
+    vec3 leaning = cross(y, toward);
+    float square = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e33 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e33, cross(toward, _e33), toward);
+    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(x, cross(toward, x), toward);
 }
 
-AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_1, up_1);
-    return AxesAround(_e2[0], _e2[1]);
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
+AxesAround axes(vec3 direction, vec3 up) {
+    mat3x3 axes_2 = axes_around(direction, up);
+    return AxesAround(axes_2[0], axes_2[1]);
 }
 
+/// Half-vector
+///
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of
+/// them with the nodes beside this one, measure the Angle between directions, and the highlight
+/// takes another shape.
 vec3 half_vector(Light light, vec3 view) {
-    vec3 half_1 = (light.direction + view);
-    vec3 _e4 = any_orthogonal(view);
-    vec3 _e9 = normalize_or(((dot(half_1, half_1) > 1e-12) ? half_1 : _e4), view);
-    return _e9;
+    vec3 half_ = (light.direction + view);
+    vec3 any_orthogonal_value = any_orthogonal(view);
+    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
 }
 
-vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_7, float y_2) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_7, y_2), vec2(0.0))) * side));
-    return _e21;
+/// Split direction
+///
+/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
+/// panes in an eye.
+vec3 split_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y) {
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(bent.place, vec2(0.0)));
+    return direction_moved(bent, (-(max(vec2(x, y), vec2(0.0))) * side));
 }
 
-vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_3 = dot(_e5.place, _e5.place);
-    float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
-    float _e24 = log1p_negative(aside_1);
-    float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
-    float corner = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e26 : 0.0);
-    vec3 _e41 = direction_moved_2_(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e41;
+/// Square direction
+///
+/// Gives a highlight corners: from round to a square whose sides lie along the axes.
+vec3 square_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float amount, float sharpness) {
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    float square = dot(bent.place, bent.place);
+    float apart = (abs(bent.place.x) - abs(bent.place.y));
+    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
+    float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
+    float corner = (((square > 1e-20) && (aside < 1.0)) ? exp2_stable_value : 0.0);
+    return direction_moved_2(bent, ((-(clamp(amount, 0.0, 1.0)) * corner) * bent.place));
 }
 
-vec3 stretch_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float x_8, float y_3) {
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
-    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_8, y_3), vec2(1.0))) * _e5.place));
-    return _e13;
+/// Stretch direction
+///
+/// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and
+/// brushed metal.
+vec3 stretch_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y) {
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    return direction_moved(bent, (-(min(vec2(x, y), vec2(1.0))) * bent.place));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -274,128 +348,115 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
     return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), vec4(0.0), vec4(1.0));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2) {
-    float width_2 = sqrt((w_1 * w_1));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3) {
-    vec2 place = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
-float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
-    float facing = clamp(dot(normal, view_1), 0.0, 1.0);
-    float _e11 = footprint_of(facing);
-    float edge = max((width * softness), min(_e11, 1.0));
-    vec3 aside_2 = (normal - view_1);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside_2, aside_2)) - (1.0 - width)) : (width - facing));
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
+float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float edge = max((width * softness), min(footprint_of(facing), 1.0));
+    vec3 aside = (normal - view);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * inversesqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), follow));
+    vec3 across = (light.direction - (dot(light.direction, view) * view));
+    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-vec3 rotate_vector(vec3 vector, vec3 axis, float angle_2) {
-    vec2 _e5 = sin_cos((0.5 * angle_2));
-    vec2 half_2 = clamp(_e5, vec2(-1.0), vec2(1.0));
-    vec3 aside_3 = cross(axis, vector);
-    vec3 _e23 = bounded_vec3_((vector + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
-    return _e23;
+/// Rotate vector
+///
+/// Turns a vector about an axis, counter-clockwise as the axis points at you.
+vec3 rotate_vector(vec3 vector, vec3 axis, float angle) {
+    vec2 half_ = clamp(sin_cos((0.5 * angle)), vec2(-1.0), vec2(1.0));
+    vec3 aside = cross(axis, vector);
+    return bounded_vec3((vector + ((2.0 * half_.x) * ((half_.y * aside) + (half_.x * cross(axis, aside))))));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - _e22);
-    vec4 _e27 = u_look.body;
-    vec4 _e31 = u_look.body;
-    vec4 _e43 = u_look.body;
-    float _e50 = u_look.body.w;
-    vec4 shadow = clamp(vec4((_e27.xyz + ((_e31.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz)), _e50), vec4(0.0), vec4(1.0));
-    vec3 normal_1 = surface.normal;
-    Light _e60 = u_look.key;
-    vec3 _e62 = half_vector(_e60, surface.view);
-    float _e69 = u_look.turn_angle;
-    vec3 _e70 = rotate_vector(vec3(0.0, 1.0, 0.0), _e62, _e69);
-    AxesAround _e71 = axes(_e62, _e70);
-    DirectionParts _e74 = direction_within(normal_1, _e71.x_axis, _e71.y_axis);
-    float _e77 = u_look.move_x;
-    float _e80 = u_look.move_y;
-    vec3 _e82 = direction_moved(_e74, vec2(_e77, _e80));
-    float _e87 = u_look.stretch_x;
-    float _e90 = u_look.stretch_y;
-    vec3 _e91 = stretch_direction(_e82, _e71.x_axis, _e71.y_axis, _e87, _e90);
-    float _e96 = u_look.split_x;
-    float _e99 = u_look.split_y;
-    vec3 _e100 = split_direction(_e91, _e71.x_axis, _e71.y_axis, _e96, _e99);
-    float _e105 = u_look.square_amount;
-    vec3 _e107 = square_direction(_e100, _e71.x_axis, _e71.y_axis, _e105, 4.0);
-    Angle from_the_highlight = Angle((0.5 * length((_e107 - _e62))), (0.5 * length((_e107 + _e62))));
-    float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
-    vec4 _e127 = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
-    Light _e130 = u_look.back;
-    float _e136 = rim(_e130, surface.normal, surface.view, 0.3, 0.2, 1.0);
-    vec4 rim_s_light = clamp(vec4((_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * vec3(0.55, 0.75, 1.0))) - _e127.xyz))), _e127.w), vec4(0.0), vec4(1.0));
-    vec4 _e167 = finite_vec4_(((rim_s_light.w <= 0.0) ? rim_s_light : vec4((rim_s_light.xyz / vec3(rim_s_light.w)), rim_s_light.w)));
-    return _e167;
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
+    float in_the_dark = (1.0 - lit_side);
+    vec4 shadow = clamp(vec4((u_look.body.xyz + ((u_look.body.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark)) - u_look.body.xyz)), u_look.body.w), vec4(0.0), vec4(1.0));
+    vec3 normal = surface.normal;
+    vec3 half_ = half_vector(u_look.key, surface.view);
+    vec3 turn = rotate_vector(vec3(0.0, 1.0, 0.0), half_, u_look.turn_angle);
+    AxesAround axes_of_the_highlight = axes(half_, turn);
+    vec3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), vec2(u_look.move_x, u_look.move_y));
+    vec3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.stretch_x, u_look.stretch_y);
+    vec3 split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.split_x, u_look.split_y);
+    vec3 square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.square_amount, 4.0);
+    Angle from_the_highlight = Angle((0.5 * length((square - half_))), (0.5 * length((square + half_))));
+    float highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
+    vec4 highlight_on_top = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
+    float rim_2 = rim(u_look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
+    vec4 rim_s_light = clamp(vec4((highlight_on_top.xyz + (0.5 * ((highlight_on_top.xyz + (rim_2 * vec3(0.55, 0.75, 1.0))) - highlight_on_top.xyz))), highlight_on_top.w), vec4(0.0), vec4(1.0));
+    vec4 output_ = finite_vec4(((rim_s_light.w <= 0.0) ? rim_s_light : vec4((rim_s_light.xyz / vec3(rim_s_light.w)), rim_s_light.w)));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))));
-    vec4 _e19 = shade(surface_1);
-    vec4 _e20 = finite_vec4_(_e19);
-    out_color = _e20;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    out_color = finite_vec4(shade(surface));
     return;
 }
 

@@ -1,34 +1,41 @@
 // A highlight, moved: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_2 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // highlight-moves.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
@@ -43,6 +50,7 @@ struct Look {
     float4 body;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -50,38 +58,55 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     float3 direction;
     int _pad1_0;
     float3 x_axis;
     int _pad2_0;
     float3 y_axis;
     int _pad3_0;
+    /// The direction's cosines with the two axes.
     float2 place;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     float3 x_axis;
     int _pad1_0;
+    /// Unit, upright.
     float3 y_axis;
     int _end_pad_0;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -96,26 +121,13 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
+static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const ProfileShape lit_side_shape = ConstructProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
-static const ProfileShape highlight_shape = ConstructProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
+static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
+static const ProfileShape highlight_shape = {0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u};
 
-cbuffer view_2 : register(b0) { View view_2; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -132,27 +144,33 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
-float4 finite_vec4_(float4 v)
+/// v with 0 for each component that is NaN or infinite.
+float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_or(float3 v_1, float3 otherwise)
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
+float3 normalize_or(float3 v, float3 otherwise)
 {
-    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) & (largest < 1e30)))) {
         return otherwise;
     }
-    float3 scaled = (v_1 * (1.0 / largest));
+    float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
@@ -162,85 +180,103 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_1)
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable(float x)
 {
-    float clamped_1 = max(x_1, -126.0);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = max(x, -126.0);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_2);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-float log_stable(float x_3)
+/// ln(x) for normal x > 0.
+float log_stable(float x)
 {
-    const float _e2 = log2_stable(x_3);
-    return (LN_2_ * _e2);
+    return (LN_2 * log2_stable(x));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1)
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y)
 {
-    if ((y_1 < 0.25)) {
-        const float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    const float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
-    return _e8;
+    return log_stable(max((1.0 - y), 1.1754944e-38));
 }
 
-float2 sin_cos_quarter(float x_4)
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
+float2 sin_cos_quarter(float x)
 {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s_3 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
+    float h = (0.5 * x);
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s_3) * c), (1.0 - ((2.0 * s_3) * s_3)));
+    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos(float x_5)
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
+float2 sin_cos(float x)
 {
-    float turns = round((x_5 * 0.31830987));
-    float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+    float turns = round((x * 0.31830987));
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    float r = (((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    return (sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI)));
 }
 
-float3 normalize_moderate(float3 v_2, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_3)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_3 * rsqrt(max(dot(v_3, v_3), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -250,47 +286,50 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_4 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_4, u_1.half_cos));
-    float2 turned = (((s_4 <= 0.0) & (s_4 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, float2 t)
 {
-    float s_5 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c_1 = (u_2.half_cos + (u_2.half_sin * 0.0));
-    float2 upper_1 = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_5, c_1));
-    float2 turned_1 = (((s_5 <= 0.0) & (s_5 < c_1)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + (u.half_sin * 0.0));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
     return angle_4;
 }
 
-float3 bounded_vec3_(float3 v_4)
+/// [`bounded`], component by component.
+float3 bounded_vec3(float3 v)
 {
-    uint3 bits_1 = asuint(v_4);
-    uint3 magnitude = (bits_1 & (2147483647u).xxx);
-    float3 largest_1 = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest_1 : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v_4 : numbers);
+    uint3 bits = asuint(v);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v : numbers);
 }
 
-float footprint_of(float x_6)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_6);
-    float _e2 = ddy(x_6);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_1 + n.z));
-    return float3((1.0 + (((sign_1 * n.x) * n.x) * a)), (((sign_1 * n.x) * n.y) * a), (-(sign_1) * n.x));
+    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -302,37 +341,43 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y_4 = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y_4, float2(dot(direction, x_axis), dot(direction, y_4)));
+    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
+    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
     return directionparts;
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
     float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
     float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    const float3 _e18 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+    const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
-float3 direction_moved_2_(DirectionParts parts_1, float2 by_1)
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
+float3 direction_moved_2(DirectionParts parts, float2 by)
 {
-    float3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
-    const float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
-    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
+    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
-    const float3 _e6 = normalize_moderate(up, float3(0.0, 1.0, 0.0));
-    float3 leaning = cross(_e6, toward);
-    float square_2 = dot(leaning, leaning);
+    const float3 y = normalize_moderate(up, float3(0.0, 1.0, 0.0));
+    float3 leaning = cross(y, toward);
+    float square = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e33 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e33, cross(toward, _e33), toward);
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(toward, x), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -342,47 +387,63 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_1, float3 up_1)
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
+AxesAround axes(float3 direction, float3 up)
 {
-    const float3x3 _e2 = axes_around(direction_1, up_1);
-    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
+    const float3x3 axes_2 = axes_around(direction, up);
+    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
     return axesaround;
 }
 
+/// Half-vector
+///
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of
+/// them with the nodes beside this one, measure the Angle between directions, and the highlight
+/// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_1 = (light.direction + view);
-    const float3 _e4 = any_orthogonal(view);
-    const float3 _e9 = normalize_or(((dot(half_1, half_1) > 1e-12) ? half_1 : _e4), view);
-    return _e9;
+    float3 half_ = (light.direction + view);
+    const float3 any_orthogonal_value = any_orthogonal(view);
+    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
 }
 
-float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_7, float y_2)
+/// Split direction
+///
+/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
+/// panes in an eye.
+float3 split_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
-    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_7, y_2), (0.0).xx)) * side));
-    return _e21;
+    const DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    float2 side = ((bent.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
+    return direction_moved(bent, (-(max(float2(x, y), (0.0).xx)) * side));
 }
 
-float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
+/// Square direction
+///
+/// Gives a highlight corners: from round to a square whose sides lie along the axes.
+float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float amount, float sharpness)
 {
-    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_3 = dot(_e5.place, _e5.place);
-    float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
-    const float _e24 = log1p_negative(aside_1);
-    const float _e26 = exp2_stable(((sharpness * LOG2_E) * _e24));
-    float corner = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e26 : 0.0);
-    const float3 _e41 = direction_moved_2_(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e41;
+    const DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    float square = dot(bent.place, bent.place);
+    float apart = (abs(bent.place.x) - abs(bent.place.y));
+    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
+    const float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
+    float corner = (((square > 1e-20) & (aside < 1.0)) ? exp2_stable_value : 0.0);
+    return direction_moved_2(bent, ((-(clamp(amount, 0.0, 1.0)) * corner) * bent.place));
 }
 
-float3 stretch_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float x_8, float y_3)
+/// Stretch direction
+///
+/// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and
+/// brushed metal.
+float3 stretch_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
-    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
-    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_8, y_3), (1.0).xx)) * _e5.place));
-    return _e13;
+    const DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    return direction_moved(bent, (-(min(float2(x, y), (1.0).xx)) * bent.place));
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -391,124 +452,115 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
     return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), (0.0).xxxx, (1.0).xxxx);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width_1)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_1, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_2 = sqrt((w_1 * w_1));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_2, 1e-6))), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_2);
-    float2 turn = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+    const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
-float rim(Light light_1, float3 normal, float3 view_1, float width, float softness, float follow)
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
+float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
-    float facing = clamp(dot(normal, view_1), 0.0, 1.0);
-    const float _e11 = footprint_of(facing);
-    float edge = max((width * softness), min(_e11, 1.0));
-    float3 aside_2 = (normal - view_1);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside_2, aside_2)) - (1.0 - width)) : (width - facing));
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float edge = max((width * softness), min(footprint_of(facing), 1.0));
+    float3 aside = (normal - view);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
-    float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), (across_1 * rsqrt(max(dot(across_1, across_1), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), follow));
+    float3 across = (light.direction - (dot(light.direction, view) * view));
+    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
+    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
-float3 rotate_vector(float3 vector_, float3 axis, float angle_2)
+/// Rotate vector
+///
+/// Turns a vector about an axis, counter-clockwise as the axis points at you.
+float3 rotate_vector(float3 vector_, float3 axis, float angle)
 {
-    const float2 _e5 = sin_cos((0.5 * angle_2));
-    float2 half_2 = clamp(_e5, (-1.0).xx, (1.0).xx);
-    float3 aside_3 = cross(axis, vector_);
-    const float3 _e23 = bounded_vec3_((vector_ + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
-    return _e23;
+    float2 half_ = clamp(sin_cos((0.5 * angle)), (-1.0).xx, (1.0).xx);
+    float3 aside = cross(axis, vector_);
+    return bounded_vec3((vector_ + ((2.0 * half_.x) * ((half_.y * aside) + (half_.x * cross(axis, aside))))));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    const float _e22 = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - _e22);
-    float4 _e27 = look.body;
-    float4 _e31 = look.body;
-    float4 _e43 = look.body;
-    float _e50 = look.body.w;
-    float4 shadow = clamp(float4((_e27.xyz + ((_e31.xyz * lerp((1.0).xxx, float3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz)), _e50), (0.0).xxxx, (1.0).xxxx);
-    float3 normal_3 = surface.normal;
-    Light _e60 = look.key;
-    const float3 _e62 = half_vector(_e60, surface.view);
-    float _e69 = look.turn_angle;
-    const float3 _e70 = rotate_vector(float3(0.0, 1.0, 0.0), _e62, _e69);
-    const AxesAround _e71 = axes(_e62, _e70);
-    const DirectionParts _e74 = direction_within(normal_3, _e71.x_axis, _e71.y_axis);
-    float _e77 = look.move_x;
-    float _e80 = look.move_y;
-    const float3 _e82 = direction_moved(_e74, float2(_e77, _e80));
-    float _e87 = look.stretch_x;
-    float _e90 = look.stretch_y;
-    const float3 _e91 = stretch_direction(_e82, _e71.x_axis, _e71.y_axis, _e87, _e90);
-    float _e96 = look.split_x;
-    float _e99 = look.split_y;
-    const float3 _e100 = split_direction(_e91, _e71.x_axis, _e71.y_axis, _e96, _e99);
-    float _e105 = look.square_amount;
-    const float3 _e107 = square_direction(_e100, _e71.x_axis, _e71.y_axis, _e105, 4.0);
-    Angle from_the_highlight = ConstructAngle((0.5 * length((_e107 - _e62))), (0.5 * length((_e107 + _e62))));
-    const float _e119 = profile_balanced_2_(from_the_highlight, 0.0, highlight_shape);
-    const float4 _e127 = blend_alpha(shadow, float4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
-    Light _e130 = look.back;
-    const float _e136 = rim(_e130, surface.normal, surface.view, 0.3, 0.2, 1.0);
-    float4 rim_s_light = clamp(float4((_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * float3(0.55, 0.75, 1.0))) - _e127.xyz))), _e127.w), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e167 = finite_vec4_(((rim_s_light.w <= 0.0) ? rim_s_light : float4((rim_s_light.xyz / (rim_s_light.w).xxx), rim_s_light.w)));
-    return _e167;
+    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    const float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
+    float in_the_dark = (1.0 - lit_side);
+    float4 shadow = clamp(float4((look.body.xyz + ((look.body.xyz * lerp((1.0).xxx, float3(0.45, 0.36, 0.62), in_the_dark)) - look.body.xyz)), look.body.w), (0.0).xxxx, (1.0).xxxx);
+    float3 normal = surface.normal;
+    const float3 half_ = half_vector(look.key, surface.view);
+    const float3 turn = rotate_vector(float3(0.0, 1.0, 0.0), half_, look.turn_angle);
+    const AxesAround axes_of_the_highlight = axes(half_, turn);
+    const float3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), float2(look.move_x, look.move_y));
+    const float3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
+    const float3 split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.split_x, look.split_y);
+    const float3 square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.square_amount, 4.0);
+    Angle from_the_highlight = ConstructAngle((0.5 * length((square - half_))), (0.5 * length((square + half_))));
+    const float highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
+    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
+    const float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
+    float4 rim_s_light = clamp(float4((highlight_on_top.xyz + (0.5 * ((highlight_on_top.xyz + (rim_2 * float3(0.55, 0.75, 1.0))) - highlight_on_top.xyz))), highlight_on_top.w), (0.0).xxxx, (1.0).xxxx);
+    const float4 output = finite_vec4(((rim_s_light.w <= 0.0) ? rim_s_light : float4((rim_s_light.xyz / (rim_s_light.w).xxx), rim_s_light.w)));
+    return output;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -521,11 +573,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_2.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -541,12 +590,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_4 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_2.eye;
-    float _e13 = view_2.eye.w;
-    Surface surface_1 = ConstructSurface(normal_4, normalize((_e8.xyz - (_e13 * in_.position))));
-    const float4 _e19 = shade(surface_1);
-    const float4 _e20 = finite_vec4_(_e19);
-    return _e20;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    return finite_vec4(shade(surface));
 }

@@ -1,6 +1,6 @@
 // Highlight shapes: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_2 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // highlight-shapes.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,55 +13,80 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light spark;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A direction with the two axes along which it is bent.
 struct DirectionParts {
+    /// Unit.
     metal::float3 direction;
     metal::float3 x_axis;
     metal::float3 y_axis;
+    /// The direction's cosines with the two axes.
     metal::float2 place;
     char _pad4[8];
 };
 struct AxesAround {
+    /// Unit, to the right as seen against the direction.
     metal::float3 x_axis;
+    /// Unit, upright.
     metal::float3 y_axis;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -75,18 +100,23 @@ struct Varyings {
 };
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
+constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant ProfileShape shadow_side_shape = ProfileShape {0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u};
 constant ProfileShape window_shape = ProfileShape {0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0, 1u};
 constant ProfileShape spark_shape = ProfileShape {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(
     float x
 ) {
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -97,8 +127,8 @@ metal::float3 normalize_or(
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -108,193 +138,222 @@ int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(
-    float x_1
+    float x
 ) {
-    float clamped_1 = metal::max(x_1, -126.0);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::max(x, -126.0);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(
-    float x_2
+    float x
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
     int exponent = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    float z2 = z * z;
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
 }
 
+/// ln(x) for normal x > 0.
 float log_stable(
-    float x_3
+    float x
 ) {
-    float _e2 = log2_stable(x_3);
-    return LN_2_ * _e2;
+    return LN_2 * log2_stable(x);
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
 }
 
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(
-    float y_1
+    float y
 ) {
-    if (y_1 < 0.25) {
-        float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if (y < 0.25) {
+        return log1p_negative_small(y);
     }
-    float _e8 = log_stable(metal::max(1.0 - y_1, 0.000000000000000000000000000000000000011754944));
-    return _e8;
+    return log_stable(metal::max(1.0 - y, 0.000000000000000000000000000000000000011754944));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 metal::float2 sin_cos_quarter(
-    float x_4
+    float x
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s_1 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (0.0000027557319 + (h2 * -0.000000025052108))))))))));
+    float one_minus_c = h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-0.000024801588 + (h2 * (0.0000002755732 + (h2 * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s_1) * c, 1.0 - ((2.0 * s_1) * s_1));
+    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(
     float radians
 ) {
     float half_angle = 0.5 * metal::min(radians, PI);
-    metal::float2 _e5 = sin_cos_quarter(half_angle);
-    return Angle {metal::max(_e5.x, 0.0), metal::max(_e5.y, 0.0)};
+    metal::float2 sc = sin_cos_quarter(half_angle);
+    return Angle {metal::max(sc.x, 0.0), metal::max(sc.y, 0.0)};
 }
 
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(
-    float y_2,
-    float x_5
+    float y,
+    float x
 ) {
-    float small = metal::min(y_2, x_5);
-    float large = metal::max(y_2, x_5);
+    float small = metal::min(y, x);
+    float large = metal::max(y, x);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float t = small / large;
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
-    return (y_2 > x_5) ? (HALF_PI - a) : a;
+    return (y > x) ? (HALF_PI - a) : a;
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_1, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(
+    Angle u,
+    metal::float2 t
 ) {
-    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c_1 = u_2.half_cos + (u_2.half_sin * 0.0);
-    metal::float2 upper_1 = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
-    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
+    float s = u.half_sin - (u.half_cos * 0.0);
+    float c = u.half_cos + (u.half_sin * 0.0);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
+    return Angle {turned.x, turned.y};
 }
 
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(
-    float y_3,
-    float x_6
+    float y,
+    float x
 ) {
-    metal::float2 p = metal::abs(metal::float2(x_6, y_3));
-    metal::float2 scaled_1 = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
-    float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_2 = (x_6 < 0.0) ? (PI - _e14) : _e14;
-    return (y_3 < 0.0) ? -(turned_2) : turned_2;
+    metal::float2 p = metal::abs(metal::float2(x, y));
+    metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
+    float a = atan2_positive(scaled.y, scaled.x);
+    float turned = (x < 0.0) ? (PI - a) : a;
+    return (y < 0.0) ? -(turned) : turned;
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_7
+    float x
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 metal::float3 any_orthogonal(
     metal::float3 n
 ) {
     float sign = (n.z >= 0.0) ? 1.0 : -1.0;
-    float a_1 = -1.0 / (sign + n.z);
-    return metal::float3(1.0 + (((sign * n.x) * n.x) * a_1), ((sign * n.x) * n.y) * a_1, -(sign) * n.x);
+    float a = -1.0 / (sign + n.z);
+    return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
 }
 
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 DirectionParts direction_within(
     metal::float3 direction,
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y_5 = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y_5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y_5))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
     metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
-    metal::float3 _e13 = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e13 : parts.direction;
+    metal::float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? normalize_moderate_value : parts.direction;
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
     metal::float3 leaning = metal::cross(up, toward);
-    float square_2 = metal::dot(leaning, leaning);
+    float square = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
+    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
+/// Radius of a star at `turn`, in turns from its first ray: 1 at its rays, `inner` between them,
+/// along straight lines; `round` from 0 to 1 goes from there to a circle.
 float star_reach(
     float turn,
     float rays,
@@ -303,81 +362,94 @@ float star_reach(
 ) {
     float half_sector = PI / rays;
     float sector = metal::abs((turn * rays) - metal::floor((turn * rays) + 0.5));
-    metal::float2 _e18 = sin_cos_quarter(metal::min((2.0 * sector) * half_sector, HALF_PI));
-    metal::float2 _e26 = sin_cos_quarter(metal::max((1.0 - (2.0 * sector)) * half_sector, 0.0));
-    metal::float2 _e27 = sin_cos_quarter(half_sector);
-    float corner = _e27.x;
-    float straight = (inner * corner) / metal::max((inner * _e26.x) + _e18.x, 0.000001);
+    metal::float2 from_ray = sin_cos_quarter(metal::min((2.0 * sector) * half_sector, HALF_PI));
+    metal::float2 between = sin_cos_quarter(metal::max((1.0 - (2.0 * sector)) * half_sector, 0.0));
+    float corner = sin_cos_quarter(half_sector).x;
+    float straight = (inner * corner) / metal::max((inner * between.x) + from_ray.x, 0.000001);
     return metal::mix(straight, 1.0, round);
 }
 
+/// Axes around a direction
+///
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
 AxesAround axes(
-    metal::float3 direction_1,
-    metal::float3 up_1
+    metal::float3 direction,
+    metal::float3 up
 ) {
-    metal::float3x3 _e2 = axes_around(direction_1, up_1);
-    return AxesAround {_e2[0], _e2[1]};
+    metal::float3x3 axes_2 = axes_around(direction, up);
+    return AxesAround {axes_2[0], axes_2[1]};
 }
 
+/// Half-vector
+///
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of
+/// them with the nodes beside this one, measure the Angle between directions, and the highlight
+/// takes another shape.
 metal::float3 half_vector(
     Light light,
     metal::float3 view
 ) {
-    metal::float3 half_1 = light.direction + view;
-    metal::float3 _e4 = any_orthogonal(view);
-    metal::float3 _e9 = normalize_or((metal::dot(half_1, half_1) > 0.000000000001) ? half_1 : _e4, view);
-    return _e9;
+    metal::float3 half_ = light.direction + view;
+    metal::float3 any_orthogonal_value = any_orthogonal(view);
+    return normalize_or((metal::dot(half_, half_) > 0.000000000001) ? half_ : any_orthogonal_value, view);
 }
 
+/// Split direction
+///
+/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
+/// panes in an eye.
 metal::float3 split_direction(
-    metal::float3 direction_2,
-    metal::float3 x_axis_1,
-    metal::float3 y_axis_1,
-    float x_8,
-    float y_4
+    metal::float3 direction,
+    metal::float3 x_axis,
+    metal::float3 y_axis,
+    float x,
+    float y
 ) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e18 = direction_moved(_e5, -(metal::float2(x_8, y_4)) * side);
-    return _e18;
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), bent.place >= metal::float2(0.0));
+    return direction_moved(bent, -(metal::float2(x, y)) * side);
 }
 
+/// Square direction
+///
+/// Gives a highlight corners: from round to a square whose sides lie along the axes.
 metal::float3 square_direction(
-    metal::float3 direction_3,
-    metal::float3 x_axis_2,
-    metal::float3 y_axis_2,
+    metal::float3 direction,
+    metal::float3 x_axis,
+    metal::float3 y_axis,
     float amount,
     float sharpness
 ) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_3 = metal::dot(_e5.place, _e5.place);
-    float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
-    float _e24 = log1p_negative(aside_1);
-    float _e26 = exp2_stable((sharpness * LOG2_E) * _e24);
-    float corner_1 = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e26 : 0.0;
-    metal::float3 _e38 = direction_moved(_e5, (-(amount) * corner_1) * _e5.place);
-    return _e38;
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    float square = metal::dot(bent.place, bent.place);
+    float apart = metal::abs(bent.place.x) - metal::abs(bent.place.y);
+    float aside = metal::min((apart * apart) / metal::max(square, 0.00000000000000000001), 1.0);
+    float exp2_stable_value = exp2_stable((sharpness * LOG2_E) * log1p_negative(aside));
+    float corner = ((square > 0.00000000000000000001) & (aside < 1.0)) ? exp2_stable_value : 0.0;
+    return direction_moved(bent, (-(amount) * corner) * bent.place);
 }
 
+/// Star
+///
+/// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon
+/// instead of a disk: in between its rays the angle counts for more.
 Angle star_angle(
-    metal::float3 direction_4,
+    metal::float3 direction,
     metal::float3 middle,
-    metal::float3 x_axis_3,
-    metal::float3 y_axis_3,
-    int rays_1,
-    float inner_1,
-    float round_1,
-    float turn_1
+    metal::float3 x_axis,
+    metal::float3 y_axis,
+    int rays,
+    float inner,
+    float round,
+    float turn
 ) {
-    DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
-    Angle u_3 = Angle {0.5 * metal::length(_e8.direction - middle), 0.5 * metal::length(_e8.direction + middle)};
-    float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
-    float around = (_e24 - turn_1) / 6.2831855;
-    float _e29 = star_reach(around, 4.0, inner_1, round_1);
-    float _e32 = atan2_positive(u_3.half_sin, u_3.half_cos);
-    Angle _e36 = angle_of((2.0 * _e32) / _e29);
-    return _e36;
+    DirectionParts bent = direction_within(direction, x_axis, y_axis);
+    Angle u = Angle {0.5 * metal::length(bent.direction - middle), 0.5 * metal::length(bent.direction + middle)};
+    float around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855;
+    float reach = star_reach(around, 4.0, inner, round);
+    return angle_of((2.0 * atan2_positive(u.half_sin, u.half_cos)) / reach);
 }
 
 Composite blend_alpha(
@@ -390,86 +462,85 @@ Composite blend_alpha(
     return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
     float s,
     float w,
     ProfileShape shape
 ) {
-    float width_1 = metal::sqrt(w * w);
+    float width = metal::sqrt(w * w);
     float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width_1, 0.000001)), 0.0, 1.0);
+    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
     return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick((_e6.half_sin * shape_1.half_cos_offset) - (_e6.half_cos * shape_1.half_sin_offset), _e14, shape_1);
-    return _e15;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_2
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e14 = angle_footprint(_e6);
-    float _e15 = profile_ramp_quick((_e6.half_sin * shape_2.half_cos_offset) - (_e6.half_cos * shape_2.half_sin_offset), _e14, shape_2);
-    return _e15;
+    Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
+    float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
 }
 
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
 float rim(
-    Light light_1,
+    Light light,
     metal::float3 normal,
-    metal::float3 view_1,
+    metal::float3 view,
     float width,
     float softness,
     float follow
 ) {
-    float facing = metal::clamp(metal::dot(normal, view_1), 0.0, 1.0);
-    float _e11 = footprint_of(facing);
-    float edge = metal::max(width * softness, metal::min(_e11, 1.0));
-    metal::float3 aside_2 = normal - view_1;
-    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside_2, aside_2)) - (1.0 - width)) : (width - facing);
+    float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
+    float edge = metal::max(width * softness, metal::min(footprint_of(facing), 1.0));
+    metal::float3 aside = normal - view;
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), across_1 * metal::rsqrt(metal::max(metal::dot(across_1, across_1), 0.000000000000000000000000000001)));
-    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), follow);
+    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
+    float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    float _e22 = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
-    float in_the_dark = 1.0 - _e22;
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    float shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
+    float in_the_dark = 1.0 - shadow_side;
     metal::float4 shadow = metal::min(metal::float4(metal::float3(0.83, 0.19, 0.18) * metal::mix(metal::float3(1.0), metal::float3(0.52, 0.25, 0.46), in_the_dark), 1.0), metal::float4(1.0));
-    Light _e44 = look.key;
-    metal::float3 _e46 = half_vector(_e44, surface.view);
-    AxesAround _e51 = axes(_e46, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 _e57 = split_direction(surface.normal, _e51.x_axis, _e51.y_axis, 0.15, 0.15);
-    metal::float3 _e62 = square_direction(_e57, _e51.x_axis, _e51.y_axis, 0.3, 4.0);
-    Angle window_angle = Angle {0.5 * metal::length(_e62 - _e46), 0.5 * metal::length(_e62 + _e46)};
-    float _e74 = profile_balanced_2_(window_angle, 0.0, window_shape);
-    Composite _e82 = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), _e74, 0.95, true);
-    Light _e85 = look.spark;
-    metal::float3 _e87 = half_vector(_e85, surface.view);
-    AxesAround _e92 = axes(_e87, metal::float3(0.0, 1.0, 0.0));
-    Angle _e100 = star_angle(surface.normal, _e87, _e92.x_axis, _e92.y_axis, 4, 0.28, 0.0, 0.3);
-    float _e103 = profile_balanced_2_(_e100, 0.0, spark_shape);
-    metal::float4 spark_s_light = metal::clamp(metal::float4(_e82.xyz + (_e103 * (metal::float3(1.0, 0.83, 0.42) - _e82.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e122 = look.back;
-    float _e128 = rim(_e122, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    metal::float4 rim_s_light = metal::clamp(metal::float4(spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (_e128 * metal::float3(0.55, 0.72, 1.0))) - spark_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 half_ = half_vector(look.key, surface.view);
+    AxesAround upright = axes(half_, metal::float3(0.0, 1.0, 0.0));
+    metal::float3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
+    metal::float3 square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
+    Angle window_angle = Angle {0.5 * metal::length(square_it - half_), 0.5 * metal::length(square_it + half_)};
+    float window = profile_balanced_2(window_angle, 0.0, window_shape);
+    Composite window_s_light = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
+    metal::float3 spark_half = half_vector(look.spark, surface.view);
+    AxesAround upright_2 = axes(spark_half, metal::float3(0.0, 1.0, 0.0));
+    Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4, 0.28, 0.0, 0.3);
+    float spark = profile_balanced_2(four_rays, 0.0, spark_shape);
+    metal::float4 spark_s_light = metal::clamp(metal::float4(window_s_light.xyz + (spark * (metal::float3(1.0, 0.83, 0.42) - window_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
+    metal::float4 rim_s_light = metal::clamp(metal::float4(spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (rim_2 * metal::float3(0.55, 0.72, 1.0))) - spark_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return rim_s_light;
 }
 
@@ -484,15 +555,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_2 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_2.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -508,15 +576,12 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_2 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_2.eye;
-    float _e13 = view_2.eye.w;
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
-    metal::float4 _e19 = shade(surface_1, look);
-    return fs_mainOutput { _e19 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -7,18 +7,26 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
 struct Vertex {
@@ -35,6 +43,7 @@ const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint INTERPOLATION_SMOOTH = 1u;
 const uint INTERPOLATION_STEPPED = 2u;
 const uint NOISE_PERLIN = 1u;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
 const Ramp three_washes = Ramp(vec4[16](vec4(0.4353, 0.5255, 0.6588, 1.0), vec4(0.7882, 0.6471, 0.549, 1.0), vec4(0.949, 0.851, 0.6941, 1.0), vec4(1.0, 0.9647, 0.8784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.36, 0.54, 0.93), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 2u);
 const Ramp ink = Ramp(vec4[16](vec4(0.0784, 0.102, 0.2, 1.0), vec4(0.3529, 0.1647, 0.1098, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.1, 0.85, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
@@ -51,11 +60,8 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    mat4x4 _e3 = u_object.world_from_object;
-    vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e10 = u_view.clip_from_world;
-    mat3x3 _e16 = u_object.world_from_normal;
-    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, vertex.position, (_e16 * vertex.normal));
+    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
+    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, vertex.position, (u_object.world_from_normal * vertex.normal));
     gl_Position = _tmp_return.clip;
     v_position = _tmp_return.position;
     v_position_object = _tmp_return.position_object;

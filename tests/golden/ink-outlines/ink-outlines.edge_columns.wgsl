@@ -21,6 +21,27 @@ fn surface_texel(normal: vec3f, depth: f32, number: f32) -> vec4f {
     return vec4f(slope_of(normal), depth, select(number, -number, normal.z < 0.0));
 }
 
+/// Materials of an object, ids and objects that the numbers of texels tell apart; beyond that many
+/// they repeat.
+const MATERIALS = 32.0;
+const IDS = 128.0;
+const OBJECTS = 4096.0;
+
+/// The number of an object in texels, from 1 on.
+fn object_number(object: f32) -> f32 {
+    return object - OBJECTS * floor(object / OBJECTS) + 1.0;
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+fn facet_number(object: f32, material: f32, id: f32) -> f32 {
+    let whole = round(select(0.0, id, abs(id) <= 1e6));
+    let parts = IDS * (material - MATERIALS * floor(material / MATERIALS))
+        + whole - IDS * floor(whole / IDS);
+    return object_number(object) + parts / (MATERIALS * IDS);
+}
+
 /// The normal that a texel was made from.
 fn normal_of(texel: vec4f) -> vec3f {
     // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
@@ -227,7 +248,9 @@ fn mean_curvature(ring: Ring) -> f32 {
     return clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -MOST, MOST);
 }
 // Straight edges near pixels, each packed into one number that an f32 holds exactly, so that a
-// texel has four: one of each kind.
+// texel has four. Borders of materials and borders of ids share the last one: those of ids are
+// negative.
+                     
 
 /// Levels of a fine code's direction and of its place, by which an edge is told within 1/2000 of a
 /// pixel.
@@ -244,6 +267,11 @@ const FAR = 1e9;
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
 fn object_in(number: f32) -> f32 {
     return floor(abs(number));
+}
+
+/// The number of the material in a texel's number, from 0 on.
+fn material_in(number: f32) -> f32 {
+    return floor(fract(abs(number)) * MATERIALS);
 }
 
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
@@ -271,7 +299,7 @@ fn coarse_codes(codes: vec4f) -> vec4f {
     return floor(place * share) * COARSE + floor(direction * share);
 }
 
-/// The edges that codes of so many levels say.
+/// The edges that codes of so many levels say, each 0 or more.
 fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
     let place = floor(codes / levels);
     let turn = (codes - levels * place + 0.5) * (4.0 / levels);
@@ -285,24 +313,27 @@ fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
 /// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
-/// edge is a silhouette, which counts on its inner side alone: beyond it is [`FAR`].
-fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// edge is a silhouette, which counts on its inner side alone unless `beyond` says both: outside it
+/// is [`FAR`].
+fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let x = columns + edges.x * edges.offset;
     let y = rows + edges.y * edges.offset;
     let inward = x.x * edges.x.x + y.x * edges.y.x;
     let distances = sqrt(x * x + y * y);
-    return vec4f(select(distances.x, FAR, inward < -1.0), distances.yzw);
+    return vec4f(select(distances.x, FAR, inward < -1.0 && !beyond), distances.yzw);
 }
 
 /// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
-/// pixels from it. The first is a silhouette, and 0 away beyond, where a pixel is only touched.
-fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// pixels from it. The first is a silhouette, and 0 away beyond it, where a pixel is only touched,
+/// unless `beyond` pixels count as those within do.
+fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let across = edges.offset + edges.x * columns + edges.y * rows;
     let along = abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
-    let beyond = max(along - 1.0, vec4f(0.0));
-    let side = vec4f(max(across.x, 0.0), abs(across.yzw));
-    return sqrt(side * side + beyond * beyond);
+    let past = max(along - 1.0, vec4f(0.0));
+    let inner = select(max(across.x, 0.0), abs(across.x), beyond);
+    let side = vec4f(inner, abs(across.yzw));
+    return sqrt(side * side + past * past);
 }
 // Arithmetic that gives a documented, finite result for every input.
 //
@@ -961,6 +992,7 @@ fn angle_of_point(y: f32, x: f32) -> f32 {
 }
 // Lines where forms end, fold and meet (docs/math.md 14), as looks draw them from their distances.
                      
+                     
 
 /// Steps of 1/800 of the picture's height that lines reach from their edges.
 const LINE_STEPS = 16.0;
@@ -979,7 +1011,7 @@ fn line_reach(viewport_height: f32, steps: f32) -> f32 {
 /// the pixel, so that its silhouette is there; one that lies behind has no line.
 fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels: f32,
     reach: f32) -> vec4f {
-    let is_same_object = middle.y == object + 1.0;
+    let is_same_object = middle.y == object_number(object);
     let behind = (depth - middle.x) * pixels;
     // Slivers of the same surface are seen on the planes of their own triangles.
     let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0);
@@ -993,11 +1025,27 @@ fn line_pixels(width: f32, pixels: f32) -> f32 {
     return clamp(bounded(width), 0.0, 1e6) * clamp(bounded(pixels), 0.0, 1e6);
 }
 
-/// Widths of lines of each kind, in pixels: shares of one width.
-fn line_widths(width: f32, shares: vec4f) -> vec4f {
+/// Widths of lines of each kind, in pixels.
+struct LineWidths {
+    /// Of silhouettes, creases, borders of objects and borders of materials.
+    kinds: vec4f,
+    /// Of borders of ids.
+    ids: f32,
+}
+
+/// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
+fn line_widths(width: f32, shares: vec4f, ids: f32) -> LineWidths {
     let widths = min(width, 1e4) * clamp(bounded_vec4(shares), vec4f(0.0), vec4f(100.0));
+    let id_width = min(width, 1e4) * clamp(bounded(ids), 0.0, 100.0);
     // What no pixel can show is no line.
-    return select(vec4f(0.0), widths, widths > vec4f(1e-6));
+    return LineWidths(select(vec4f(0.0), widths, widths > vec4f(1e-6)),
+        select(0.0, id_width, id_width > 1e-6));
+}
+
+/// Widths of the four lines that are near: a negative nearness in the place of materials is that of
+/// a border of ids.
+fn widths_near(nearness: vec4f, widths: LineWidths) -> vec4f {
+    return vec4f(widths.kinds.xyz, select(widths.kinds.w, widths.ids, nearness.w < 0.0));
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
@@ -1007,25 +1055,35 @@ fn inner_line_covers(distance: f32, width: f32) -> f32 {
 }
 
 /// Share of a pixel that lines cover which lie evenly on both sides of their edges.
-fn middle_line_covers(distance: vec3f, width: vec3f) -> vec3f {
+fn middle_line_covers(distance: vec4f, width: vec4f) -> vec4f {
     let half = 0.5 * width;
-    return clamp(min(distance + 0.5, half) - max(distance - 0.5, -half), vec3f(0.0), vec3f(1.0));
+    return clamp(min(distance + 0.5, half) - max(distance - 0.5, -half), vec4f(0.0), vec4f(1.0));
+}
+
+/// What a line of any kind covers of a pixel, by how much nearer than the reach the edges of each
+/// kind are: all lie evenly on both sides.
+fn any_line_covers(nearness: vec4f, widths: LineWidths, reach: f32) -> f32 {
+    let near = clamp(bounded_vec4(nearness), vec4f(-reach), vec4f(reach));
+    let own = select(vec4f(0.0), widths_near(near, widths), near != vec4f(0.0));
+    let covers = middle_line_covers(reach - abs(near), own);
+    return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
 
 /// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
 /// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
-/// objects and borders of looks.
+/// objects and borders of materials or ids.
 fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
     let distance = reach - nearness;
     let covers = vec4f(inner_line_covers(distance.x, widths.x),
-        middle_line_covers(distance.yzw, widths.yzw));
+        middle_line_covers(distance, widths).yzw);
     return select(vec4f(0.0), covers, nearness > vec4f(0.0));
 }
 // How far pixels are from the nearest edges (docs/math.md 14): first within each column, then over
 // the columns, which finds the nearest for few reads however far away it is.
 //
 // A pixel sees the edges of its own surface alone: a line belongs to what lies in front, and what
-// lies behind draws none for it.
+// lies behind draws none for it. Lines of what is hidden belong to nothing that is seen there:
+// every pixel sees them, on both sides.
                              
                          
                      
@@ -1044,8 +1102,9 @@ fn is_same_surface(own: Plane, texel: vec4f, offset: vec2f) -> bool {
 }
 
 /// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row
-/// from the pixel; 0 for none. `reach` is how far edges are looked for, in pixels.
-fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
+/// from the pixel; 0 for none, negative for a border of ids. `reach` is how far edges are looked
+/// for, in pixels; `of_all` if those of other surfaces count, too.
+fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32, of_all: bool) -> vec4f {
     let last = vec2i(textureDimensions(surface)) - 1;
     var nearest = vec4f(FAR);
     var codes = vec4f(0.0);
@@ -1055,15 +1114,17 @@ fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
         if all(found == vec4f(0.0)) {
             continue;
         }
-        if !is_same_surface(own, textureLoad(surface, at, 0), vec2f(0.0, f32(row))) {
+        if !of_all && !is_same_surface(own, textureLoad(surface, at, 0), vec2f(0.0, f32(row))) {
             continue;
         }
+        let fine = abs(found);
         let distances = select(vec4f(FAR),
-            middle_distances(edges_of(found, FINE), vec4f(0.0), vec4f(f32(row))),
-            found > vec4f(0.0));
+            middle_distances(edges_of(fine, FINE), vec4f(0.0), vec4f(f32(row)), of_all),
+            fine > vec4f(0.0));
         let is_nearer = distances < nearest;
         nearest = select(nearest, distances, is_nearer);
-        codes = select(codes, coarse_codes(found) + ROW * (f32(row) + MOST_ROWS), is_nearer);
+        let coarse = coarse_codes(fine) + ROW * (f32(row) + MOST_ROWS);
+        codes = select(codes, select(coarse, -coarse, found < vec4f(0.0)), is_nearer);
     }
     return codes;
 }
@@ -1072,6 +1133,8 @@ fn nearest_in_column(pixel: vec2i, own: Plane, reach: i32) -> vec4f {
 
 /// Steps of 1/800 of the picture's height to which edges are looked for.
 const STEPS = 16;
+/// 1 where edges of all surfaces count, on both sides; 0 where those of a pixel's own do.
+const OF_ALL = 0;
 
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -1082,9 +1145,10 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
     let seen = seen_pixel(pixel).texel;
-    if seen.w == 0.0 {
+    if OF_ALL == 0 && seen.w == 0.0 {
         return vec4f(0.0);
     }
     let reach = line_reach(curvature.viewport_height, f32(STEPS));
-    return nearest_in_column(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)), i32(reach));
+    let own = plane_of(abs(seen.w), seen.z, normal_of(seen));
+    return nearest_in_column(pixel, own, i32(reach), OF_ALL == 1);
 }

@@ -11,61 +11,94 @@
 using metal::uint;
 
 struct Curvature {
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     float pixel;
+    /// 1 for perspective, 0 for parallel projection.
     float perspective;
+    /// Height of the picture, in pixels.
     float viewport_height;
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
+    /// the top.
     float rows_up;
+    /// Samples per pixel of the picture.
     float samples;
 };
+/// A pixel and its texel of the surface.
 struct SeenPixel {
     metal::int2 at;
     char _pad1[8];
     metal::float4 texel;
 };
+/// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
+/// of depth are along columns and rows of the image.
 struct Plane {
     float object;
     float depth;
+    /// Change of depth from a pixel to the next.
     metal::float2 rise;
+    /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
     char _pad4[4];
 };
+/// A pixel whose curvature is measured.
 struct Center {
     metal::int2 at;
     metal::float2 slope;
     Plane plane;
 };
+/// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
+/// row after it, and in the row before it.
 struct Ring {
+    /// Weighted changes of slope.x from the center.
     metal::float4 x;
+    /// Weighted changes of slope.y from the center.
     metal::float4 y;
     metal::float4 weights;
 };
+/// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
+/// in pixels of the image.
 struct EdgeLines {
     metal::float4 x;
     metal::float4 y;
     metal::float4 offset;
 };
+/// What a pixel shows: a piece of a surface.
 struct Facet {
+    /// Unit, in camera axes.
     metal::float3 normal;
+    /// Toward the eye in camera axes, of a length of 1 and more.
     metal::packed_float3 toward;
     float depth;
+    /// The texel's number: the object's, the material's and the id's.
     float number;
     char _pad4[4];
+    /// Change of depth from a pixel to the next, along columns and rows.
     metal::float2 rise;
+    /// The same where the surface is not seen as steeply: at least LEAST_NZ of it faces the eye.
     metal::float2 gentle_rise;
     char _pad6[8];
 };
+/// A piece of an edge: its kind, the unit normal of a straight line in pixels of the image, and how
+/// far along it from the pixel's middle the line lies.
 struct Edge {
     int kind;
     char _pad1[4];
     metal::float2 normal;
     float offset;
+    /// How well the line is known, 0 to 1: little where it runs along the way to the neighbor.
     float trust;
 };
+/// The course of an edge past a pixel: how far beyond the pixel's middle it lies, 0 to 1, and how
+/// far that changes from one pixel to the next along it.
 struct Course {
     float place;
     float slope;
+    /// Share of the rows nearby over which it was followed.
     float trust;
 };
+/// Sums over the rows of a course, to fit a line and a parabola: x is how far along a row lies, y
+/// how far beyond the pixel's middle the edge lies there.
 struct CourseSums {
     float count;
     float x;
@@ -79,24 +112,51 @@ struct type_10 {
     metal::float2 inner[2];
 };
 
+/// The slope n.xy / n.z of a normal in camera axes.
 metal::float2 slope_of(
     metal::float3 normal
 ) {
     return normal.xy / metal::float2(metal::max(normal.z, 0.2));
 }
 
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
 metal::float4 surface_texel(
-    metal::float3 normal_1,
+    metal::float3 normal,
     float depth,
     float number
 ) {
-    metal::float2 _e3 = slope_of(normal_1);
-    return metal::float4(_e3, depth, (normal_1.z < 0.0) ? -(number) : number);
+    metal::float2 slope_of_value = slope_of(normal);
+    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
 }
 
+/// The number of an object in texels, from 1 on.
+float object_number(
+    float object
+) {
+    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+float facet_number(
+    float object,
+    float material,
+    float id
+) {
+    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
+    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
+    return object_number(object) + (parts / 4096.0);
+}
+
+/// The normal that a texel was made from.
 metal::float3 normal_of(
     metal::float4 texel
 ) {
+    // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
+    // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     metal::float2 aside = 0.2 * texel.xy;
     float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
     float nz = (texel.w < 0.0) ? -(rest) : rest;
@@ -104,38 +164,45 @@ metal::float3 normal_of(
     return (nz >= 0.2) ? facing : metal::float3(aside, nz);
 }
 
+/// A triangle over the whole picture.
 metal::float4 whole_picture(
-    uint index_1
+    uint index
 ) {
-    return metal::float4((static_cast<float>(index_1 & 1u) * 4.0) - 1.0, (static_cast<float>(index_1 >> 1u) * 4.0) - 1.0, 0.0, 1.0);
+    return metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// A step in pixels: a share of the picture's height, so that a larger picture measures the same
+/// curvature, not a finer one.
 int step_pixels(
     constant Curvature& curvature
 ) {
-    float _e2 = curvature.viewport_height;
-    return metal::max(naga_f2i32(metal::rint(_e2 / 800.0)), 1);
+    return metal::max(naga_f2i32(metal::rint(curvature.viewport_height / 800.0)), 1);
 }
 
+/// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction(
     constant Curvature& curvature
 ) {
-    float _e2 = curvature.rows_up;
-    return (_e2 > 0.5) ? 1.0 : -1.0;
+    return (curvature.rows_up > 0.5) ? 1.0 : -1.0;
 }
 
+/// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 metal::int2 around(
-    int index_2
+    int index
 ) {
-    int side_1 = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index_2 & 1))));
-    metal::int2 straight = (index_2 < 2) ? metal::int2(side_1, 0) : metal::int2(0, side_1);
-    return (index_2 > 3) ? metal::int2(side_1, as_type<int>(as_type<uint>(1) - as_type<uint>(index_2 & 2))) : straight;
+    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
+    metal::int2 straight = (index < 2) ? metal::int2(side, 0) : metal::int2(0, side);
+    return (index > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
 }
 
+/// The pixel whose surface a pixel has: its own, or that of a neighbor.
+///
+/// With several samples a pixel, a look also shades pixels whose middle the object just misses:
+/// they have the surface of the nearest of the eight pixels around that shows one.
 SeenPixel seen_pixel(
     metal::int2 pixel,
     metal::texture2d<float, metal::access::sample> surface,
@@ -143,62 +210,52 @@ SeenPixel seen_pixel(
 ) {
     SeenPixel seen = {};
     bool local = {};
-    int index_3 = {};
-    metal::float4 _e3 = surface.read(metal::uint2(pixel), 0);
-    seen = SeenPixel {pixel, {}, _e3};
+    int index = {};
+    seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    float _e14 = curvature.samples;
-    if (_e14 >= 2.0) {
-        float _e21 = seen.texel.w;
-        local = _e21 == 0.0;
+    if (curvature.samples >= 2.0) {
+        local = seen.texel.w == 0.0;
     } else {
         local = false;
     }
     bool may_be_missed = local;
-    index_3 = may_be_missed ? 7 : -1;
-    uint2 loop_bound = uint2(4294967295u);
+    index = may_be_missed ? 7 : -1;
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e47 = index_3;
-            index_3 = as_type<int>(as_type<uint>(_e47) - as_type<uint>(1));
+            index = as_type<int>(as_type<uint>(index) - as_type<uint>(1));
         }
         loop_init = false;
-        int _e30 = index_3;
-        if (_e30 >= 0) {
+        if (index >= 0) {
         } else {
             break;
         }
         {
-            int _e33 = index_3;
-            metal::int2 _e34 = around(_e33);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(_e34)), metal::int2(0), last);
-            metal::float4 texel_1 = surface.read(metal::uint2(near), 0);
-            if (texel_1.w != 0.0) {
-                seen = SeenPixel {near, {}, texel_1};
+            metal::int2 around_value = around(index);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+            metal::float4 texel = surface.read(metal::uint2(near), 0);
+            if (texel.w != 0.0) {
+                seen = SeenPixel {near, {}, texel};
             }
         }
     }
-    SeenPixel _e49 = seen;
-    return _e49;
+    return seen;
 }
 
 Plane plane_of(
     float object,
-    float depth_1,
-    metal::float3 normal_2,
+    float depth,
+    metal::float3 normal,
     constant Curvature& curvature
 ) {
-    float _e5 = curvature.pixel;
-    float _e8 = curvature.perspective;
-    float pixel_9 = _e5 * metal::mix(1.0, depth_1, _e8);
-    metal::float2 gradient = normal_2.xy / metal::float2(metal::max(normal_2.z, 0.02));
-    float _e19 = row_direction(curvature);
-    return Plane {object, depth_1, (pixel_9 * gradient) * metal::float2(1.0, _e19), (2.0 * pixel_9) * (1.0 + metal::length(gradient))};
+    float pixel = curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
+    metal::float2 gradient = normal.xy / metal::float2(metal::max(normal.z, 0.02));
+    float row_direction_value = row_direction(curvature);
+    return Plane {object, depth, (pixel * gradient) * metal::float2(1.0, row_direction_value), (2.0 * pixel) * (1.0 + metal::length(gradient))};
 }
 
+/// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
+/// depths, and the rises of depth to them on the plane.
 metal::float4 neighbor_weights(
     Plane plane,
     metal::float4 objects,
@@ -208,22 +265,23 @@ metal::float4 neighbor_weights(
 ) {
     metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
     float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
-    metal::float4 weights_1 = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
-    return metal::select(metal::float4(0.0), weights_1, objects == metal::float4(plane.object));
+    // The weight fades, so that the last bit of a depth does not decide between all and nothing.
+    metal::float4 weights = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    return metal::select(metal::float4(0.0), weights, objects == metal::float4(plane.object));
 }
 
+/// The center for a pixel; its object is 0 where there is none.
 Center center_at(
-    metal::int2 pixel_1,
+    metal::int2 pixel,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    SeenPixel _e1 = seen_pixel(pixel_1, surface, curvature);
-    metal::float4 texel_2 = _e1.texel;
-    metal::float3 _e8 = normal_of(texel_2);
-    Plane _e9 = plane_of(metal::abs(_e1.texel.w), _e1.texel.z, _e8, curvature);
-    return Center {_e1.at, texel_2.xy, _e9};
+    SeenPixel seen = seen_pixel(pixel, surface, curvature);
+    metal::float4 texel = seen.texel;
+    return Center {seen.at, texel.xy, plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
 }
 
+/// The ring that is so many steps away, with its weight.
 Ring ring_at(
     Center center,
     int steps,
@@ -231,24 +289,25 @@ Ring ring_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    int _e3 = step_pixels(curvature);
-    int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(_e3));
-    float distance_1 = static_cast<float>(reach);
-    metal::int2 at_2 = center.at;
-    metal::int2 last_1 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 a_1 = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last_1.x), center.at.y)), 0);
-    metal::float4 b_1 = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
-    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last_1.y))), 0);
+    int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(step_pixels(curvature)));
+    float distance = static_cast<float>(reach);
+    metal::int2 at = center.at;
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last.x), center.at.y)), 0);
+    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
     metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
-    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last_1.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last_1.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
-    metal::float4 objects_1 = metal::select(metal::float4(0.0), metal::abs(metal::float4(a_1.w, b_1.w, c.w, d.w)), is_inside);
-    metal::float2 rise = distance_1 * center.plane.rise;
-    metal::float4 rises_1 = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 _e86 = neighbor_weights(center.plane, objects_1, metal::float4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
-    metal::float4 shares = (weight * distance_1) * _e86;
-    return Ring {shares * (metal::float4(a_1.x, b_1.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a_1.y, b_1.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance_1};
+    // Beyond the image nothing is.
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
+    metal::float4 objects = metal::select(metal::float4(0.0), metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
+    metal::float2 rise = distance * center.plane.rise;
+    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects, metal::float4(a.z, b.z, c.z, d.z), rises, distance);
+    metal::float4 shares = (weight * distance) * neighbor_weights_value;
+    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance};
 }
 
+/// Two rings as one.
 Ring joined(
     Ring a,
     Ring b
@@ -256,110 +315,136 @@ Ring joined(
     return Ring {a.x + b.x, a.y + b.y, a.weights + b.weights};
 }
 
+/// The twelve neighbors one, two and three steps away.
 Ring rings_at(
-    Center center_1,
+    Center center,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    Ring _e3 = ring_at(center_1, 1, 1.0, surface, curvature);
-    Ring _e6 = ring_at(center_1, 2, 0.85, surface, curvature);
-    Ring _e7 = joined(_e3, _e6);
-    Ring _e10 = ring_at(center_1, 3, 0.5, surface, curvature);
-    Ring _e11 = joined(_e7, _e10);
-    return _e11;
+    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature), ring_at(center, 2, 0.85, surface, curvature));
+    return joined(near, ring_at(center, 3, 0.5, surface, curvature));
 }
 
+/// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
+/// each side counts; 0 where none does.
 metal::float2 derivatives(
     metal::float4 changes,
     metal::float4 weights,
     constant Curvature& curvature
 ) {
-    metal::float4 trust_1 = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
-    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust_1;
-    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust_1.xz + trust_1.yw, metal::float2(0.000001));
-    float _e22 = row_direction(curvature);
-    return along * metal::float2(1.0, _e22);
+    // A side that hardly counts any more is left to the other one, gradually.
+    metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
+    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
+    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    return along * metal::float2(1.0, row_direction(curvature));
 }
 
+/// Mean curvature from the neighbors.
 float mean_curvature(
     Ring ring,
     constant Curvature& curvature
 ) {
-    metal::float2 _e7 = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
-    float _e15 = curvature.viewport_height;
-    return metal::clamp((0.5 * (_e7.x + _e7.y)) * _e15, -10000.0, 10000.0);
+    metal::float2 along = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
+    return metal::clamp((0.5 * (along.x + along.y)) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
+/// The number of the object in a texel's number, from 1 on; 0 where nothing is.
 float object_in(
-    float number_1
+    float number
 ) {
-    return metal::floor(metal::abs(number_1));
+    return metal::floor(metal::abs(number));
 }
 
+/// The number of the material in a texel's number, from 0 on.
+float material_in(
+    float number
+) {
+    return metal::floor(metal::fract(metal::abs(number)) * 32.0);
+}
+
+/// The fine code of an edge by its unit normal and its offset, less than 2 pixels; never 0.
 float edge_code(
-    metal::float2 normal_3,
+    metal::float2 normal,
     float offset
 ) {
-    float share = normal_3.x / metal::max(metal::abs(normal_3.x) + metal::abs(normal_3.y), 0.00000000000000000001);
-    float turn = (normal_3.y >= 0.0) ? (1.0 - share) : (3.0 + share);
+    float share = normal.x / metal::max(metal::abs(normal.x) + metal::abs(normal.y), 0.00000000000000000001);
+    float turn = (normal.y >= 0.0) ? (1.0 - share) : (3.0 + share);
     float direction = metal::min(metal::floor(turn * 1024.0), 4095.0);
     float place = metal::floor((metal::clamp(offset, -1.99, 1.99) + 2.0) * 1024.0);
     return (place * 4096.0) + direction;
 }
 
+/// Codes of few levels from fine ones.
 metal::float4 coarse_codes(
     metal::float4 codes
 ) {
-    metal::float4 place_1 = metal::floor(codes / metal::float4(4096.0));
-    metal::float4 direction_1 = codes - (4096.0 * place_1);
-    return (metal::floor(place_1 * 0.125) * 512.0) + metal::floor(direction_1 * 0.125);
+    metal::float4 place = metal::floor(codes / metal::float4(4096.0));
+    metal::float4 direction = codes - (4096.0 * place);
+    return (metal::floor(place * 0.125) * 512.0) + metal::floor(direction * 0.125);
 }
 
+/// The edges that codes of so many levels say, each 0 or more.
 EdgeLines edges_of(
-    metal::float4 codes_1,
+    metal::float4 codes,
     float levels
 ) {
-    metal::float4 place_2 = metal::floor(codes_1 / metal::float4(levels));
-    metal::float4 turn_1 = ((codes_1 - (levels * place_2)) + metal::float4(0.5)) * (4.0 / levels);
-    metal::bool4 is_back = turn_1 >= metal::float4(2.0);
-    metal::float4 x = metal::select(metal::float4(1.0) - turn_1, turn_1 - metal::float4(3.0), is_back);
-    metal::float4 rest_1 = metal::float4(1.0) - metal::abs(x);
-    metal::float4 y = metal::select(rest_1, -(rest_1), is_back);
-    metal::float4 size_1 = metal::sqrt((x * x) + (y * y));
-    return EdgeLines {x / size_1, y / size_1, ((place_2 + metal::float4(0.5)) * (4.0 / levels)) - metal::float4(2.0)};
+    metal::float4 place = metal::floor(codes / metal::float4(levels));
+    metal::float4 turn = ((codes - (levels * place)) + metal::float4(0.5)) * (4.0 / levels);
+    metal::bool4 is_back = turn >= metal::float4(2.0);
+    metal::float4 x = metal::select(metal::float4(1.0) - turn, turn - metal::float4(3.0), is_back);
+    metal::float4 rest = metal::float4(1.0) - metal::abs(x);
+    metal::float4 y = metal::select(rest, -(rest), is_back);
+    metal::float4 size = metal::sqrt((x * x) + (y * y));
+    return EdgeLines {x / size, y / size, ((place + metal::float4(0.5)) * (4.0 / levels)) - metal::float4(2.0)};
 }
 
+/// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
+/// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
+/// edge is a silhouette, which counts on its inner side alone unless `beyond` says both: outside it
+/// is [`FAR`].
 metal::float4 middle_distances(
     EdgeLines edges,
     metal::float4 columns,
-    metal::float4 rows
+    metal::float4 rows,
+    bool beyond
 ) {
-    metal::float4 x_1 = columns + (edges.x * edges.offset);
-    metal::float4 y_1 = rows + (edges.y * edges.offset);
-    float inward = (x_1.x * edges.x.x) + (y_1.x * edges.y.x);
-    metal::float4 distances = metal::sqrt((x_1 * x_1) + (y_1 * y_1));
-    return metal::float4((inward < -1.0) ? 1000000000.0 : distances.x, distances.yzw);
+    bool local_1 = {};
+    metal::float4 x = columns + (edges.x * edges.offset);
+    metal::float4 y = rows + (edges.y * edges.offset);
+    float inward = (x.x * edges.x.x) + (y.x * edges.y.x);
+    metal::float4 distances = metal::sqrt((x * x) + (y * y));
+    if (inward < -1.0) {
+        local_1 = !(beyond);
+    } else {
+        local_1 = false;
+    }
+    return metal::float4(local_1 ? 1000000000.0 : distances.x, distances.yzw);
 }
 
+/// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
+/// pixels from it. The first is a silhouette, and 0 away beyond it, where a pixel is only touched,
+/// unless `beyond` pixels count as those within do.
 metal::float4 edge_distances(
-    EdgeLines edges_1,
-    metal::float4 columns_1,
-    metal::float4 rows_1
+    EdgeLines edges,
+    metal::float4 columns,
+    metal::float4 rows,
+    bool beyond
 ) {
-    metal::float4 across = (edges_1.offset + (edges_1.x * columns_1)) + (edges_1.y * rows_1);
-    metal::float4 along_1 = metal::abs((edges_1.y * columns_1) - (edges_1.x * rows_1));
-    metal::float4 beyond = metal::max(along_1 - metal::float4(1.0), metal::float4(0.0));
-    metal::float4 side_2 = metal::float4(metal::max(across.x, 0.0), metal::abs(across.yzw));
-    return metal::sqrt((side_2 * side_2) + (beyond * beyond));
+    metal::float4 across = (edges.offset + (edges.x * columns)) + (edges.y * rows);
+    metal::float4 along = metal::abs((edges.y * columns) - (edges.x * rows));
+    // What is farther along than the edge's own pixel lies beyond the edge's end.
+    metal::float4 past = metal::max(along - metal::float4(1.0), metal::float4(0.0));
+    float inner = beyond ? metal::abs(across.x) : metal::max(across.x, 0.0);
+    metal::float4 side = metal::float4(inner, metal::abs(across.yzw));
+    return metal::sqrt((side * side) + (past * past));
 }
 
+/// Size in scene units of a pixel at a depth.
 float pixel_size_at(
-    float depth_2,
+    float depth,
     constant Curvature& curvature
 ) {
-    float _e3 = curvature.pixel;
-    float _e6 = curvature.perspective;
-    return _e3 * metal::mix(1.0, depth_2, _e6);
+    return curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
 }
 
 Facet facet_at(
@@ -367,605 +452,502 @@ Facet facet_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    metal::float4 texel_3 = surface.read(metal::uint2(at), 0);
-    metal::float3 _e4 = normal_of(texel_3);
+    metal::float4 texel = surface.read(metal::uint2(at), 0);
+    metal::float3 normal = normal_of(texel);
     metal::float2 middle = 0.5 * static_cast<metal::float2>(metal::uint2(surface.get_width(), surface.get_height()));
-    float _e15 = row_direction(curvature);
-    metal::float2 from_middle = ((static_cast<metal::float2>(at) + metal::float2(0.5)) - middle) * metal::float2(1.0, _e15);
-    float _e21 = curvature.pixel;
-    float _e25 = curvature.perspective;
-    metal::float3 toward_2 = metal::float3((-(_e21) * _e25) * from_middle, 1.0);
-    float facing_1 = metal::dot(_e4, toward_2);
-    float _e32 = pixel_size_at(texel_3.z, curvature);
-    float _e35 = row_direction(curvature);
-    metal::float2 change_1 = (_e32 * _e4.xy) * metal::float2(1.0, _e35);
-    return Facet {_e4, toward_2, texel_3.z, metal::abs(texel_3.w), {}, change_1 / metal::float2(metal::max(facing_1, 0.02)), change_1 / metal::float2(metal::max(facing_1, 0.2))};
+    float row_direction_value = row_direction(curvature);
+    metal::float2 from_middle = ((static_cast<metal::float2>(at) + metal::float2(0.5)) - middle) * metal::float2(1.0, row_direction_value);
+    metal::float3 toward = metal::float3((-(curvature.pixel) * curvature.perspective) * from_middle, 1.0);
+    float facing = metal::dot(normal, toward);
+    metal::float2 change = (pixel_size_at(texel.z, curvature) * normal.xy) * metal::float2(1.0, row_direction(curvature));
+    return Facet {normal, toward, texel.z, metal::abs(texel.w), {}, change / metal::float2(metal::max(facing, 0.02)), change / metal::float2(metal::max(facing, 0.2))};
 }
 
+/// True if the surfaces of two neighbors meet between them. The nearer one may not reach the other
+/// more steeply than [`LEAST_NZ`] allows: then it ends in front.
 bool meets(
     Facet own,
     Facet other,
     metal::float2 step,
     constant Curvature& curvature
 ) {
-    bool local_1 = {};
+    bool local_2 = {};
     bool is_nearer = own.depth <= other.depth;
-    float rise_1 = metal::dot(is_nearer ? own.gentle_rise : own.rise, step);
+    float rise = metal::dot(is_nearer ? own.gentle_rise : own.rise, step);
     float other_rise = metal::dot(is_nearer ? other.rise : other.gentle_rise, step);
     float here = own.depth - (other.depth - other_rise);
-    float there = (own.depth + rise_1) - other.depth;
+    float there = (own.depth + rise) - other.depth;
     float steepness = metal::min(metal::length(own.gentle_rise), metal::length(other.gentle_rise));
-    float _e30 = pixel_size_at(metal::min(own.depth, other.depth), curvature);
-    float tolerance = _e30 + steepness;
+    float tolerance = pixel_size_at(metal::min(own.depth, other.depth), curvature) + steepness;
     if (!(((here * there) <= 0.0))) {
-        local_1 = metal::min(metal::abs(here), metal::abs(there)) <= tolerance;
+        local_2 = metal::min(metal::abs(here), metal::abs(there)) <= tolerance;
     } else {
-        local_1 = true;
+        local_2 = true;
     }
-    bool _e43 = local_1;
-    return _e43;
+    return local_2;
 }
 
+/// True if a pixel shows the surface with this number, no farther than `limit`.
 bool shows(
-    metal::int2 at_1,
-    float number_2,
+    metal::int2 at,
+    float number,
     float limit,
     metal::texture2d<float, metal::access::sample> surface
 ) {
-    bool local_2 = {};
-    metal::int2 last_2 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 texel_4 = surface.read(metal::uint2(metal::clamp(at_1, metal::int2(0), last_2)), 0);
-    if (metal::abs(texel_4.w) == number_2) {
-        local_2 = texel_4.z < limit;
+    bool local_3 = {};
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 texel = surface.read(metal::uint2(metal::clamp(at, metal::int2(0), last)), 0);
+    if (metal::abs(texel.w) == number) {
+        local_3 = texel.z < limit;
     } else {
-        local_2 = false;
+        local_3 = false;
     }
-    bool _e23 = local_2;
-    return _e23;
+    return local_3;
 }
 
+/// The course that fits rows best.
 Course fitted_course(
     CourseSums sums,
     bool is_arc
 ) {
-    float trust_2 = sums.count / 11.0;
+    float trust = sums.count / 11.0;
     float spread = (sums.count * sums.xx) - (sums.x * sums.x);
-    float slope_1 = ((sums.count * sums.xy) - (sums.x * sums.y)) / spread;
-    float straight_1 = (sums.y - (slope_1 * sums.x)) / sums.count;
-    if (trust_2 < 1.0) {
-        return Course {metal::clamp(straight_1, 0.0, 1.0), slope_1, trust_2};
+    float slope = ((sums.count * sums.xy) - (sums.x * sums.y)) / spread;
+    float straight = (sums.y - (slope * sums.x)) / sums.count;
+    if (trust < 1.0) {
+        return Course {metal::clamp(straight, 0.0, 1.0), slope, trust};
     }
+    // Over all rows x sums to 0, its fourth powers to 1958.
     float bent = ((1958.0 * sums.y) - (sums.xx * sums.xxy)) / ((sums.count * 1958.0) - (sums.xx * sums.xx));
-    float left_1 = ((sums.yy - (straight_1 * sums.y)) - (slope_1 * sums.xy)) / sums.count;
-    float share_1 = metal::clamp((left_1 - 0.09) / 0.05, 0.0, 1.0);
-    return Course {metal::clamp(metal::mix(straight_1, bent, is_arc ? 1.0 : share_1), 0.0, 1.0), slope_1, trust_2};
+    float left = ((sums.yy - (straight * sums.y)) - (slope * sums.xy)) / sums.count;
+    float share = metal::clamp((left - 0.09) / 0.05, 0.0, 1.0);
+    return Course {metal::clamp(metal::mix(straight, bent, is_arc ? 1.0 : share), 0.0, 1.0), slope, trust};
 }
 
 metal::int2 naga_abs(metal::int2 val) {
     return metal::select(as_type<metal::int2>(-as_type<metal::uint2>(val)), val, val >= 0);
 }
 
+/// The course of the edge between a pixel and its neighbor, by the pixels at which it changes over
+/// from one row to the next. A flat course passes the middle of a pixel near each such change; a
+/// steep or bent one is fitted.
 Course course_at(
-    metal::int2 pixel_2,
-    metal::int2 step_1,
-    float number_3,
-    float limit_1,
+    metal::int2 pixel,
+    metal::int2 step,
+    float number,
+    float limit,
     metal::texture2d<float, metal::access::sample> surface
 ) {
+    // The first change to both sides: how far along, and how far beyond the pixel.
     type_10 ends = type_10 {{metal::float2(0.0), metal::float2(0.0)}};
-    int changes_1 = 0;
-    CourseSums sums_1 = CourseSums {1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0};
+    int changes = 0;
+    CourseSums sums = CourseSums {1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0};
     int side = 0;
     int height = {};
     bool is_open = {};
     int row = {};
-    bool local_3 = {};
     bool local_4 = {};
-    int change = {};
     bool local_5 = {};
+    int change = {};
     bool local_6 = {};
     bool local_7 = {};
     bool local_8 = {};
     bool local_9 = {};
     bool local_10 = {};
-    metal::int2 along_2 = naga_abs(step_1.yx);
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    bool local_11 = {};
+    metal::int2 along = naga_abs(step.yx);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e177 = side;
-            side = as_type<int>(as_type<uint>(_e177) + as_type<uint>(1));
+        if (!loop_init) {
+            side = as_type<int>(as_type<uint>(side) + as_type<uint>(1));
         }
-        loop_init_1 = false;
-        int _e25 = side;
-        if (_e25 < 2) {
+        loop_init = false;
+        if (side < 2) {
         } else {
             break;
         }
         {
-            int _e28 = side;
-            metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along_2) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(_e28))))));
+            metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side))))));
             height = 0;
             is_open = true;
             row = 1;
-            uint2 loop_bound_2 = uint2(4294967295u);
             while(true) {
-                if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-                loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-                int _e40 = row;
-                if (_e40 <= 12) {
-                    bool _e45 = is_open;
-                    if (!(_e45)) {
-                        int _e49 = row;
-                        local_4 = _e49 <= 5;
+                if (row <= 12) {
+                    if (!(is_open)) {
+                        local_5 = row <= 5;
                     } else {
-                        local_4 = true;
+                        local_5 = true;
                     }
-                    bool _e53 = local_4;
-                    local_3 = _e53;
+                    local_4 = local_5;
                 } else {
-                    local_3 = false;
+                    local_4 = false;
                 }
-                bool _e55 = local_3;
-                if (_e55) {
+                if (local_4) {
                 } else {
                     break;
                 }
                 {
-                    int _e56 = row;
-                    int _e59 = height;
-                    metal::int2 at_3 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(pixel_2) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(way) * as_type<uint>(_e56))))) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(step_1) * as_type<uint>(_e59))));
+                    metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(way) * as_type<uint>(row))))) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(step) * as_type<uint>(height))));
                     change = 0;
-                    bool _e64 = shows(at_3, number_3, limit_1, surface);
-                    if (_e64) {
-                        bool _e66 = shows(as_type<metal::int2>(as_type<metal::uint2>(at_3) + as_type<metal::uint2>(step_1)), number_3, limit_1, surface);
-                        if (_e66) {
+                    if (shows(at, number, limit, surface)) {
+                        bool shows_value = shows(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(step)), number, limit, surface);
+                        if (shows_value) {
                             change = 1;
                         }
                     } else {
                         change = -1;
                     }
-                    int _e69 = change;
-                    if (_e69 > 0) {
-                        bool _e77 = shows(as_type<metal::int2>(as_type<metal::uint2>(at_3) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step_1)))), number_3, limit_1, surface);
-                        local_5 = _e77;
-                    } else {
-                        local_5 = false;
-                    }
-                    bool _e79 = local_5;
-                    if (_e79) {
-                        break;
-                    }
-                    int _e80 = change;
-                    if (_e80 < 0) {
-                        bool _e86 = shows(as_type<metal::int2>(as_type<metal::uint2>(at_3) - as_type<metal::uint2>(step_1)), number_3, limit_1, surface);
-                        local_6 = !(_e86);
+                    if (change > 0) {
+                        bool shows_value_1 = shows(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step)))), number, limit, surface);
+                        local_6 = shows_value_1;
                     } else {
                         local_6 = false;
                     }
-                    bool _e89 = local_6;
-                    if (_e89) {
+                    if (local_6) {
                         break;
                     }
-                    int _e90 = change;
-                    if (_e90 != 0) {
-                        bool _e93 = is_open;
-                        if (_e93) {
-                            int _e94 = side;
-                            int _e96 = row;
-                            int _e100 = height;
-                            int _e101 = height;
-                            int _e102 = change;
-                            ends.inner[_e94] = metal::float2(static_cast<float>(_e96) - 0.5, static_cast<float>(metal::max(_e100, as_type<int>(as_type<uint>(_e101) + as_type<uint>(_e102)))));
+                    if (change < 0) {
+                        bool shows_value_2 = shows(as_type<metal::int2>(as_type<metal::uint2>(at) - as_type<metal::uint2>(step)), number, limit, surface);
+                        local_7 = !(shows_value_2);
+                    } else {
+                        local_7 = false;
+                    }
+                    if (local_7) {
+                        break;
+                    }
+                    if (change != 0) {
+                        if (is_open) {
+                            ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5, static_cast<float>(metal::max(height, as_type<int>(as_type<uint>(height) + as_type<uint>(change)))));
                             is_open = false;
                         }
-                        int _e108 = changes_1;
-                        int _e109 = row;
-                        changes_1 = as_type<int>(as_type<uint>(_e108) + as_type<uint>((_e109 <= 5) ? 1 : 0));
-                        int _e116 = height;
-                        int _e117 = change;
-                        height = as_type<int>(as_type<uint>(_e116) + as_type<uint>(_e117));
+                        changes = as_type<int>(as_type<uint>(changes) + as_type<uint>((row <= 5) ? 1 : 0));
+                        height = as_type<int>(as_type<uint>(height) + as_type<uint>(change));
                     }
-                    int _e119 = row;
-                    if (_e119 <= 5) {
-                        int _e122 = row;
-                        int _e123 = side;
-                        float x_2 = static_cast<float>(as_type<int>(as_type<uint>(_e122) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(_e123)))))));
-                        int _e130 = height;
-                        float y_2 = static_cast<float>(_e130) + 0.5;
-                        float _e135 = sums_1.count;
-                        sums_1.count = _e135 + 1.0;
-                        float _e139 = sums_1.x;
-                        sums_1.x = _e139 + x_2;
-                        float _e142 = sums_1.y;
-                        sums_1.y = _e142 + y_2;
-                        float _e145 = sums_1.xx;
-                        sums_1.xx = _e145 + (x_2 * x_2);
-                        float _e149 = sums_1.xy;
-                        sums_1.xy = _e149 + (x_2 * y_2);
-                        float _e153 = sums_1.yy;
-                        sums_1.yy = _e153 + (y_2 * y_2);
-                        float _e157 = sums_1.xxy;
-                        sums_1.xxy = _e157 + ((x_2 * x_2) * y_2);
+                    if (row <= 5) {
+                        float x = static_cast<float>(as_type<int>(as_type<uint>(row) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side)))))));
+                        float y = static_cast<float>(height) + 0.5;
+                        sums.count = sums.count + 1.0;
+                        sums.x = sums.x + x;
+                        sums.y = sums.y + y;
+                        sums.xx = sums.xx + (x * x);
+                        sums.xy = sums.xy + (x * y);
+                        sums.yy = sums.yy + (y * y);
+                        sums.xxy = sums.xxy + ((x * x) * y);
                     }
-                    int _e162 = row;
-                    row = as_type<int>(as_type<uint>(_e162) + as_type<uint>(1));
+                    row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
                 }
             }
-            bool _e164 = is_open;
-            if (_e164) {
-                int _e165 = side;
-                int _e167 = row;
-                int _e171 = height;
-                ends.inner[_e165] = metal::float2(static_cast<float>(_e167) - 0.5, static_cast<float>(_e171) + 0.5);
+            if (is_open) {
+                ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5, static_cast<float>(height) + 0.5);
             }
         }
     }
-    float _e181 = ends.inner[0].x;
-    float _e184 = ends.inner[1].x;
-    float length = _e181 + _e184;
-    float _e188 = ends.inner[0].y;
-    float _e191 = ends.inner[1].y;
-    float slope_2 = (_e188 - _e191) / length;
-    float _e196 = ends.inner[1].y;
-    float _e199 = ends.inner[1].x;
-    float place_3 = _e196 + (slope_2 * _e199);
-    float _e204 = ends.inner[0].y;
-    float _e207 = ends.inner[1].y;
-    if (_e204 == _e207) {
-        local_7 = place_3 != 0.5;
+    float length = ends.inner[0].x + ends.inner[1].x;
+    float slope = (ends.inner[0].y - ends.inner[1].y) / length;
+    float place = ends.inner[1].y + (slope * ends.inner[1].x);
+    if (ends.inner[0].y == ends.inner[1].y) {
+        local_8 = place != 0.5;
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool is_arc_1 = local_7;
-    int _e215 = changes_1;
-    if (!((_e215 >= 3))) {
-        if (is_arc_1) {
-            int _e223 = changes_1;
-            local_9 = _e223 >= 2;
+    bool is_arc = local_8;
+    if (!((changes >= 3))) {
+        if (is_arc) {
+            local_10 = changes >= 2;
         } else {
-            local_9 = false;
+            local_10 = false;
         }
-        bool _e227 = local_9;
-        local_8 = _e227;
+        local_9 = local_10;
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e229 = local_8;
-    if (_e229) {
-        float _e233 = sums_1.count;
-        local_10 = _e233 >= 7.0;
+    if (local_9) {
+        local_11 = sums.count >= 7.0;
     } else {
-        local_10 = false;
+        local_11 = false;
     }
-    bool _e237 = local_10;
-    if (_e237) {
-        CourseSums _e238 = sums_1;
-        Course _e239 = fitted_course(_e238, is_arc_1);
-        return _e239;
+    if (local_11) {
+        return fitted_course(sums, is_arc);
     }
-    float _e242 = ends.inner[0].x;
-    float _e247 = ends.inner[1].x;
-    float rise_2 = is_arc_1 ? (((4.0 * _e242) * _e247) / (length * length)) : 0.0;
-    float _e254 = sums_1.count;
-    float trust_3 = _e254 / 11.0;
-    return Course {metal::clamp(metal::mix(place_3, 0.5, rise_2), 0.0, 1.0), slope_2, trust_3};
+    // The top of an arc lies beyond the changes to both sides, by half a pixel in the mean.
+    float rise = is_arc ? (((4.0 * ends.inner[0].x) * ends.inner[1].x) / (length * length)) : 0.0;
+    float trust = sums.count / 11.0;
+    return Course {metal::clamp(metal::mix(place, 0.5, rise), 0.0, 1.0), slope, trust};
 }
 
+/// Square of how much a facet faces the eye; negative for one that is turned away.
 float facing_squared(
     Facet facet
 ) {
-    float facing_2 = metal::dot(facet.normal, facet.toward);
-    return (facing_2 * metal::abs(facing_2)) / metal::dot(facet.toward, facet.toward);
+    float facing = metal::dot(facet.normal, facet.toward);
+    return (facing * metal::abs(facing)) / metal::dot(facet.toward, facet.toward);
 }
 
 metal::float2 course_normal(
     Course course,
     metal::float2 toward
 ) {
-    metal::float2 along_3 = metal::abs(toward.yx);
-    return (toward - (course.slope * along_3)) / metal::float2(metal::sqrt(1.0 + (course.slope * course.slope)));
+    metal::float2 along = metal::abs(toward.yx);
+    return (toward - (course.slope * along)) / metal::float2(metal::sqrt(1.0 + (course.slope * course.slope)));
 }
 
 Edge edge_along(
     int kind,
-    Course course_1,
-    metal::float2 toward_1,
-    metal::float2 normal_4
+    Course course,
+    metal::float2 toward,
+    metal::float2 normal
 ) {
-    float lean = metal::dot(normal_4, toward_1);
-    return Edge {kind, {}, normal_4, course_1.place * lean, course_1.trust * lean};
+    float lean = metal::dot(normal, toward);
+    return Edge {kind, {}, normal, course.place * lean, course.trust * lean};
 }
 
+/// The edge of a surface that ends in front of what is farther than `limit`, or of another object.
 Edge silhouette(
-    Facet own_1,
-    metal::int2 pixel_3,
-    metal::int2 step_2,
-    float limit_2,
+    Facet own,
+    metal::int2 pixel,
+    metal::int2 step,
+    float limit,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    bool local_11 = {};
     bool local_12 = {};
     bool local_13 = {};
-    metal::float2 toward_3 = static_cast<metal::float2>(step_2);
-    Course _e6 = course_at(pixel_3, step_2, own_1.number, limit_2, surface);
-    metal::int2 last_3 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    Facet _e17 = facet_at(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel_3) - as_type<metal::uint2>(step_2)), metal::int2(0), last_3), surface, curvature);
-    float _e18 = facing_squared(own_1);
-    float _e19 = facing_squared(_e17);
-    float change_2 = _e19 - _e18;
-    float _e23 = row_direction(curvature);
-    metal::float2 across_1 = own_1.normal.xy * metal::float2(1.0, _e23);
-    metal::float2 normal_5 = across_1 / metal::float2(metal::max(metal::length(across_1), 0.000001));
-    if (_e17.number == own_1.number) {
-        local_11 = _e18 < 0.36;
-    } else {
-        local_11 = false;
-    }
-    bool _e40 = local_11;
-    if (_e40) {
-        local_12 = change_2 > 0.0001;
+    bool local_14 = {};
+    metal::float2 toward = static_cast<metal::float2>(step);
+    Course course = course_at(pixel, step, own.number, limit, surface);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    Facet before = facet_at(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) - as_type<metal::uint2>(step)), metal::int2(0), last), surface, curvature);
+    // Near its outline the facing of a round form goes like the root of the distance.
+    float facing = facing_squared(own);
+    float change = facing_squared(before) - facing;
+    metal::float2 across = own.normal.xy * metal::float2(1.0, row_direction(curvature));
+    metal::float2 normal = across / metal::float2(metal::max(metal::length(across), 0.000001));
+    if (before.number == own.number) {
+        local_12 = facing < 0.36;
     } else {
         local_12 = false;
     }
-    bool _e46 = local_12;
-    if (_e46) {
-        local_13 = metal::dot(normal_5, toward_3) > 0.5;
+    if (local_12) {
+        local_13 = change > 0.0001;
     } else {
         local_13 = false;
     }
-    bool is_round = local_13;
-    float found = _e18 / metal::max(change_2, 0.0001);
-    float place_4 = metal::clamp(found, 0.0, 1.0);
-    float trust_4 = is_round ? metal::clamp(2.0 - (4.0 * metal::abs(found - place_4)), 0.0, 1.0) : 0.0;
-    Course seen_1 = Course {metal::mix(_e6.place, place_4, trust_4), _e6.slope, metal::mix(_e6.trust, 1.0, trust_4)};
-    metal::float2 _e78 = course_normal(_e6, toward_3);
-    metal::float2 turned = metal::mix(_e78, normal_5, trust_4);
-    Edge _e84 = edge_along(0, seen_1, toward_3, turned / metal::float2(metal::length(turned)));
-    return _e84;
+    if (local_13) {
+        local_14 = metal::dot(normal, toward) > 0.5;
+    } else {
+        local_14 = false;
+    }
+    bool is_round = local_14;
+    float found = facing / metal::max(change, 0.0001);
+    float place = metal::clamp(found, 0.0, 1.0);
+    // As far as this is not between the pixels, the form is not as round as its normals.
+    float trust = is_round ? metal::clamp(2.0 - (4.0 * metal::abs(found - place)), 0.0, 1.0) : 0.0;
+    Course seen = Course {metal::mix(course.place, place, trust), course.slope, metal::mix(course.trust, 1.0, trust)};
+    metal::float2 turned = metal::mix(course_normal(course, toward), normal, trust);
+    return edge_along(0, seen, toward, turned / metal::float2(metal::length(turned)));
 }
 
+/// Change of the normal between two neighbors that a round form would have: what it is to both
+/// sides of them.
 float round_bend(
-    Facet own_2,
-    Facet other_1,
-    metal::int2 pixel_4,
-    metal::int2 step_3,
+    Facet own,
+    Facet other,
+    metal::int2 pixel,
+    metal::int2 step,
     metal::texture2d<float, metal::access::sample> surface
 ) {
-    metal::int2 last_4 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 before = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel_4) - as_type<metal::uint2>(step_3)), metal::int2(0), last_4)), 0);
-    metal::float4 after = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel_4) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step_3)))), metal::int2(0), last_4)), 0);
-    metal::float3 _e26 = normal_of(before);
-    metal::float3 _e30 = normal_of(after);
-    metal::float2 bends = metal::float2(metal::length(_e26 - own_2.normal), metal::length(_e30 - other_1.normal));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 before = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) - as_type<metal::uint2>(step)), metal::int2(0), last)), 0);
+    metal::float4 after = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step)))), metal::int2(0), last)), 0);
+    metal::float3 normal_of_value = normal_of(after);
+    metal::float2 bends = metal::float2(metal::length(normal_of(before) - own.normal), metal::length(normal_of_value - other.normal));
     metal::float2 numbers = metal::float2(metal::abs(before.w), metal::abs(after.w));
-    metal::float2 shares_1 = metal::select(metal::float2(0.0), metal::float2(1.0), numbers == metal::float2(own_2.number));
-    return metal::dot(bends, shares_1) / metal::max(shares_1.x + shares_1.y, 1.0);
+    metal::float2 shares = metal::select(metal::float2(0.0), metal::float2(1.0), numbers == metal::float2(own.number));
+    return metal::dot(bends, shares) / metal::max(shares.x + shares.y, 1.0);
 }
 
+/// The edge between a pixel and its neighbor.
 Edge edge_between(
-    Facet own_3,
-    metal::int2 pixel_5,
-    metal::int2 step_4,
+    Facet own,
+    metal::int2 pixel,
+    metal::int2 step,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    bool local_14 = {};
     bool local_15 = {};
+    bool local_16 = {};
     Edge none = Edge {-1, {}, metal::float2(0.0), 0.0, 0.0};
-    metal::int2 at_4 = as_type<metal::int2>(as_type<metal::uint2>(pixel_5) + as_type<metal::uint2>(step_4));
-    if (!(metal::any(at_4 < metal::int2(0)))) {
-        local_14 = metal::any(at_4 >= static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height())));
+    metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step));
+    if (!(metal::any(at < metal::int2(0)))) {
+        local_15 = metal::any(at >= static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height())));
     } else {
-        local_14 = true;
+        local_15 = true;
     }
-    bool _e23 = local_14;
-    if (_e23) {
+    if (local_15) {
         return none;
     }
-    Facet _e24 = facet_at(at_4, surface, curvature);
-    if (_e24.number == 0.0) {
-        Edge _e29 = silhouette(own_3, pixel_5, step_4, 1000000000.0, surface, curvature);
-        return _e29;
+    Facet other = facet_at(at, surface, curvature);
+    if (other.number == 0.0) {
+        return silhouette(own, pixel, step, 1000000000.0, surface, curvature);
     }
-    metal::float2 toward_4 = static_cast<metal::float2>(step_4);
-    float _e32 = object_in(own_3.number);
-    float _e34 = object_in(_e24.number);
-    bool is_same_object = _e32 == _e34;
-    bool _e36 = meets(own_3, _e24, toward_4, curvature);
-    if (!(_e36)) {
-        if (own_3.depth > _e24.depth) {
+    metal::float2 toward = static_cast<metal::float2>(step);
+    bool is_same_object = object_in(own.number) == object_in(other.number);
+    if (!(meets(own, other, toward, curvature))) {
+        if (own.depth > other.depth) {
             return none;
         }
-        float middle_1 = 0.5 * (own_3.depth + _e24.depth);
-        Edge _e48 = silhouette(own_3, pixel_5, step_4, is_same_object ? middle_1 : 1000000000.0, surface, curvature);
-        return _e48;
+        float middle = 0.5 * (own.depth + other.depth);
+        return silhouette(own, pixel, step, is_same_object ? middle : 1000000000.0, surface, curvature);
     }
     if (!(is_same_object)) {
         return Edge {2, {}, metal::float2(0.0), 0.0, 0.0};
     }
-    if (own_3.number != _e24.number) {
-        return Edge {3, {}, metal::float2(0.0), 0.0, 0.0};
+    if (own.number != other.number) {
+        bool is_material = material_in(own.number) != material_in(other.number);
+        int kind = is_material ? 3 : 4;
+        return Edge {kind, {}, metal::float2(0.0), 0.0, 0.0};
     }
-    float bend = metal::length(own_3.normal - _e24.normal);
+    float bend = metal::length(own.normal - other.normal);
     if (!((bend < 0.5176381))) {
-        float _e74 = round_bend(own_3, _e24, pixel_5, step_4, surface);
-        local_15 = (bend - _e74) < 0.5176381;
+        local_16 = (bend - round_bend(own, other, pixel, step, surface)) < 0.5176381;
     } else {
-        local_15 = true;
+        local_16 = true;
     }
-    bool _e79 = local_15;
-    if (_e79) {
+    if (local_16) {
         return none;
     }
     return Edge {1, {}, metal::float2(0.0), 0.0, 0.0};
 }
 
+/// The line in which the planes of two facets meet, or along which a border runs over one plane.
 Edge meeting(
-    Facet own_4,
-    metal::int2 pixel_6,
-    metal::int2 step_5,
-    int kind_1,
+    Facet own,
+    metal::int2 pixel,
+    metal::int2 step,
+    int kind,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    bool local_16 = {};
-    Facet _e5 = facet_at(as_type<metal::int2>(as_type<metal::uint2>(pixel_6) + as_type<metal::uint2>(step_5)), surface, curvature);
-    metal::float2 toward_5 = static_cast<metal::float2>(step_5);
-    metal::float2 slope_3 = own_4.rise - _e5.rise;
-    float steepness_1 = metal::length(slope_3);
-    float here_1 = own_4.depth - (_e5.depth - metal::dot(_e5.rise, toward_5));
-    float side_3 = metal::dot(slope_3, toward_5);
-    float _e20 = pixel_size_at(own_4.depth, curvature);
-    if (metal::abs(side_3) > (0.1 * _e20)) {
-        local_16 = metal::abs(side_3) > (0.3 * steepness_1);
-    } else {
-        local_16 = false;
-    }
-    bool _e31 = local_16;
-    if (_e31) {
-        float share_2 = metal::clamp(-(here_1) / side_3, 0.0, 1.0);
-        metal::float2 normal_6 = slope_3 / metal::float2((side_3 > 0.0) ? steepness_1 : -(steepness_1));
-        float lean_1 = metal::dot(normal_6, toward_5);
-        return Edge {kind_1, {}, normal_6, share_2 * lean_1, lean_1};
-    }
-    if (kind_1 == 1) {
-        return Edge {kind_1, {}, toward_5, 0.5, 0.0};
-    }
-    Course _e53 = course_at(pixel_6, step_5, own_4.number, 1000000000.0, surface);
-    metal::float2 _e54 = course_normal(_e53, toward_5);
-    Edge _e55 = edge_along(kind_1, _e53, toward_5, _e54);
-    return _e55;
-}
-
-bool goes_on(
-    Facet own_5,
-    metal::float2 slope,
-    float size,
-    metal::int2 pixel_7,
-    metal::int2 step_6,
-    metal::texture2d<float, metal::access::sample> surface
-) {
     bool local_17 = {};
-    bool local_18 = {};
-    metal::int2 last_5 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 texel_5 = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel_7) + as_type<metal::uint2>(step_6)), metal::int2(0), last_5)), 0);
-    metal::float2 change_3 = metal::abs(texel_5.xy - slope);
-    float error_1 = metal::abs((texel_5.z - own_5.depth) - metal::dot(own_5.gentle_rise, static_cast<metal::float2>(step_6)));
-    if (metal::abs(texel_5.w) == own_5.number) {
-        local_17 = error_1 <= size;
+    Facet other = facet_at(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)), surface, curvature);
+    metal::float2 toward = static_cast<metal::float2>(step);
+    metal::float2 slope = own.rise - other.rise;
+    float steepness = metal::length(slope);
+    float here = own.depth - (other.depth - metal::dot(other.rise, toward));
+    float side = metal::dot(slope, toward);
+    if (metal::abs(side) > (0.1 * pixel_size_at(own.depth, curvature))) {
+        local_17 = metal::abs(side) > (0.3 * steepness);
     } else {
         local_17 = false;
     }
-    bool _e37 = local_17;
-    if (_e37) {
-        local_18 = metal::max(change_3.x, change_3.y) < 0.35;
+    if (local_17) {
+        float share = metal::clamp(-(here) / side, 0.0, 1.0);
+        metal::float2 normal = slope / metal::float2((side > 0.0) ? steepness : -(steepness));
+        float lean = metal::dot(normal, toward);
+        return Edge {kind, {}, normal, share * lean, lean};
+    }
+    if (kind == 1) {
+        return Edge {kind, {}, toward, 0.5, 0.0};
+    }
+    Course course = course_at(pixel, step, own.number, 1000000000.0, surface);
+    return edge_along(kind, course, toward, course_normal(course, toward));
+}
+
+/// True if a surface plainly goes on to a neighbor, which most do: that costs little to tell.
+bool goes_on(
+    Facet own,
+    metal::float2 slope,
+    float size,
+    metal::int2 pixel,
+    metal::int2 step,
+    metal::texture2d<float, metal::access::sample> surface
+) {
+    bool local_18 = {};
+    bool local_19 = {};
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 texel = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)), metal::int2(0), last)), 0);
+    metal::float2 change = metal::abs(texel.xy - slope);
+    float error = metal::abs((texel.z - own.depth) - metal::dot(own.gentle_rise, static_cast<metal::float2>(step)));
+    if (metal::abs(texel.w) == own.number) {
+        local_18 = error <= size;
     } else {
         local_18 = false;
     }
-    bool _e46 = local_18;
-    return _e46;
+    if (local_18) {
+        local_19 = metal::max(change.x, change.y) < 0.35;
+    } else {
+        local_19 = false;
+    }
+    return local_19;
 }
 
+/// Codes of the edges of each kind between a pixel and the four beside it, those that are known
+/// best; 0 for none, and negative for borders of ids.
 metal::float4 edges_at(
-    metal::int2 pixel_8,
+    metal::int2 pixel,
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
     uint left = 0u;
-    int index_4 = 0;
-    metal::float4 codes_2 = metal::float4(0.0);
+    int index = 0;
+    metal::float4 codes = metal::float4(0.0);
     metal::float4 trust = metal::float4(-1.0);
-    int index_5 = {};
+    int index_1 = {};
     Edge edge = {};
-    Facet _e1 = facet_at(pixel_8, surface, curvature);
-    if (_e1.number == 0.0) {
+    Facet own = facet_at(pixel, surface, curvature);
+    if (own.number == 0.0) {
         return metal::float4(0.0);
     }
-    metal::float4 _e9 = surface.read(metal::uint2(pixel_8), 0);
-    metal::float2 slope_4 = _e9.xy;
-    float _e12 = pixel_size_at(_e1.depth, curvature);
-    uint2 loop_bound_3 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    metal::float2 slope = surface.read(metal::uint2(pixel), 0).xy;
+    float size = pixel_size_at(own.depth, curvature);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e32 = index_4;
-            index_4 = as_type<int>(as_type<uint>(_e32) + as_type<uint>(1));
+        if (!loop_init) {
+            index = as_type<int>(as_type<uint>(index) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e17 = index_4;
-        if (_e17 < 4) {
+        loop_init = false;
+        if (index < 4) {
         } else {
             break;
         }
         {
-            uint _e20 = left;
-            int _e22 = index_4;
-            int _e26 = index_4;
-            metal::int2 _e27 = around(_e26);
-            bool _e28 = goes_on(_e1, slope_4, _e12, pixel_8, _e27, surface);
-            left = _e20 | (_e28 ? 0u : (1u << static_cast<uint>(_e22)));
+            bool goes_on_value = goes_on(own, slope, size, pixel, around(index), surface);
+            left = left | (goes_on_value ? 0u : (1u << static_cast<uint>(index)));
         }
     }
-    uint _e40 = left;
-    index_5 = (_e40 == 0u) ? 4 : 0;
-    uint2 loop_bound_4 = uint2(4294967295u);
-    bool loop_init_3 = true;
+    index_1 = (left == 0u) ? 4 : 0;
+    bool loop_init_1 = true;
+    // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
     while(true) {
-        if (metal::all(loop_bound_4 == uint2(0u))) { break; }
-        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e102 = index_5;
-            index_5 = as_type<int>(as_type<uint>(_e102) + as_type<uint>(1));
+        if (!loop_init_1) {
+            index_1 = as_type<int>(as_type<uint>(index_1) + as_type<uint>(1));
         }
-        loop_init_3 = false;
-        int _e47 = index_5;
-        if (_e47 < 4) {
+        loop_init_1 = false;
+        if (index_1 < 4) {
         } else {
             break;
         }
         {
-            uint _e50 = left;
-            int _e51 = index_5;
-            if (((_e50 >> static_cast<uint>(_e51)) & 1u) == 0u) {
+            if (((left >> static_cast<uint>(index_1)) & 1u) == 0u) {
                 continue;
             }
-            int _e58 = index_5;
-            metal::int2 _e59 = around(_e58);
-            Edge _e60 = edge_between(_e1, pixel_8, _e59, surface, curvature);
-            edge = _e60;
-            int _e63 = edge.kind;
-            if (_e63 == -1) {
+            metal::int2 step = around(index_1);
+            edge = edge_between(own, pixel, step, surface, curvature);
+            if (edge.kind == -1) {
                 continue;
             }
-            int _e67 = edge.kind;
-            if (_e67 != 0) {
-                int _e71 = edge.kind;
-                Edge _e72 = meeting(_e1, pixel_8, _e59, _e71, surface, curvature);
-                edge = _e72;
+            if (edge.kind != 0) {
+                edge = meeting(own, pixel, step, edge.kind, surface, curvature);
             }
-            int _e74 = edge.kind;
-            metal::bool4 is_kind = metal::int4(_e74) == metal::int4(0, 1, 2, 3);
-            float _e83 = edge.trust;
-            metal::float4 _e85 = trust;
-            metal::bool4 is_better = is_kind & (metal::float4(_e83) > _e85);
-            metal::float4 _e88 = trust;
-            float _e90 = edge.trust;
-            trust = metal::select(_e88, metal::float4(_e90), is_better);
-            metal::float4 _e93 = codes_2;
-            metal::float2 _e95 = edge.normal;
-            float _e97 = edge.offset;
-            float _e98 = edge_code(_e95, _e97);
-            codes_2 = metal::select(_e93, metal::float4(_e98), is_better);
+            int place = metal::min(edge.kind, 3);
+            metal::bool4 is_kind = metal::int4(place) == metal::int4(0, 1, 2, 3);
+            metal::bool4 is_better = is_kind & (metal::float4(edge.trust) > trust);
+            trust = metal::select(trust, metal::float4(edge.trust), is_better);
+            float code = edge_code(edge.normal, edge.offset);
+            codes = metal::select(codes, metal::float4((edge.kind == 4) ? -(code) : code), is_better);
         }
     }
-    metal::float4 _e104 = codes_2;
-    return _e104;
+    return codes;
 }
 
 struct vs_mainInput {
@@ -976,8 +958,7 @@ struct vs_mainOutput {
 vertex vs_mainOutput vs_main(
   uint index [[vertex_id]]
 ) {
-    metal::float4 _e1 = whole_picture(index);
-    return vs_mainOutput { _e1 };
+    return vs_mainOutput { whole_picture(index) };
 }
 
 metal::int2 naga_f2i32(metal::float2 value) {
@@ -995,6 +976,5 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> surface [[texture(0)]]
 , constant Curvature& curvature [[buffer(0)]]
 ) {
-    metal::float4 _e3 = edges_at(naga_f2i32(position.xy), surface, curvature);
-    return fs_mainOutput { _e3 };
+    return fs_mainOutput { edges_at(naga_f2i32(position.xy), surface, curvature) };
 }

@@ -21,6 +21,27 @@ fn surface_texel(normal: vec3f, depth: f32, number: f32) -> vec4f {
     return vec4f(slope_of(normal), depth, select(number, -number, normal.z < 0.0));
 }
 
+/// Materials of an object, ids and objects that the numbers of texels tell apart; beyond that many
+/// they repeat.
+const MATERIALS = 32.0;
+const IDS = 128.0;
+const OBJECTS = 4096.0;
+
+/// The number of an object in texels, from 1 on.
+fn object_number(object: f32) -> f32 {
+    return object - OBJECTS * floor(object / OBJECTS) + 1.0;
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+fn facet_number(object: f32, material: f32, id: f32) -> f32 {
+    let whole = round(select(0.0, id, abs(id) <= 1e6));
+    let parts = IDS * (material - MATERIALS * floor(material / MATERIALS))
+        + whole - IDS * floor(whole / IDS);
+    return object_number(object) + parts / (MATERIALS * IDS);
+}
+
 /// The normal that a texel was made from.
 fn normal_of(texel: vec4f) -> vec3f {
     // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
@@ -227,7 +248,9 @@ fn mean_curvature(ring: Ring) -> f32 {
     return clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -MOST, MOST);
 }
 // Straight edges near pixels, each packed into one number that an f32 holds exactly, so that a
-// texel has four: one of each kind.
+// texel has four. Borders of materials and borders of ids share the last one: those of ids are
+// negative.
+                     
 
 /// Levels of a fine code's direction and of its place, by which an edge is told within 1/2000 of a
 /// pixel.
@@ -244,6 +267,11 @@ const FAR = 1e9;
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
 fn object_in(number: f32) -> f32 {
     return floor(abs(number));
+}
+
+/// The number of the material in a texel's number, from 0 on.
+fn material_in(number: f32) -> f32 {
+    return floor(fract(abs(number)) * MATERIALS);
 }
 
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
@@ -271,7 +299,7 @@ fn coarse_codes(codes: vec4f) -> vec4f {
     return floor(place * share) * COARSE + floor(direction * share);
 }
 
-/// The edges that codes of so many levels say.
+/// The edges that codes of so many levels say, each 0 or more.
 fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
     let place = floor(codes / levels);
     let turn = (codes - levels * place + 0.5) * (4.0 / levels);
@@ -285,24 +313,27 @@ fn edges_of(codes: vec4f, levels: f32) -> EdgeLines {
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
 /// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
-/// edge is a silhouette, which counts on its inner side alone: beyond it is [`FAR`].
-fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// edge is a silhouette, which counts on its inner side alone unless `beyond` says both: outside it
+/// is [`FAR`].
+fn middle_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let x = columns + edges.x * edges.offset;
     let y = rows + edges.y * edges.offset;
     let inward = x.x * edges.x.x + y.x * edges.y.x;
     let distances = sqrt(x * x + y * y);
-    return vec4f(select(distances.x, FAR, inward < -1.0), distances.yzw);
+    return vec4f(select(distances.x, FAR, inward < -1.0 && !beyond), distances.yzw);
 }
 
 /// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
-/// pixels from it. The first is a silhouette, and 0 away beyond, where a pixel is only touched.
-fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
+/// pixels from it. The first is a silhouette, and 0 away beyond it, where a pixel is only touched,
+/// unless `beyond` pixels count as those within do.
+fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f, beyond: bool) -> vec4f {
     let across = edges.offset + edges.x * columns + edges.y * rows;
     let along = abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
-    let beyond = max(along - 1.0, vec4f(0.0));
-    let side = vec4f(max(across.x, 0.0), abs(across.yzw));
-    return sqrt(side * side + beyond * beyond);
+    let past = max(along - 1.0, vec4f(0.0));
+    let inner = select(max(across.x, 0.0), abs(across.x), beyond);
+    let side = vec4f(inner, abs(across.yzw));
+    return sqrt(side * side + past * past);
 }
 // Edges between pixels, told from what a pass over meshes drew: where one surface ends in front of
 // another, where it folds, and where two meet (docs/math.md 14). Each pixel at an edge has a
@@ -311,11 +342,13 @@ fn edge_distances(edges: EdgeLines, columns: vec4f, rows: vec4f) -> vec4f {
                              
                          
 
-/// Kinds of edges, by their places in a texel.
+/// Kinds of edges, by their places in a texel; borders of ids are in the place of materials,
+/// negative.
 const SILHOUETTE = 0;
 const CREASE = 1;
 const OBJECT_BORDER = 2;
-const LOOK_BORDER = 3;
+const MATERIAL_BORDER = 3;
+const ID_BORDER = 4;
 const NO_EDGE = -1;
 
 /// Change of the unit normal, beyond that of a round form, from which an edge is a crease:
@@ -333,7 +366,7 @@ struct Facet {
     /// Toward the eye in camera axes, of a length of 1 and more.
     toward: vec3f,
     depth: f32,
-    /// The texel's number: the object's and the look's.
+    /// The texel's number: the object's, the material's and the id's.
     number: f32,
     /// Change of depth from a pixel to the next, along columns and rows.
     rise: vec2f,
@@ -406,7 +439,9 @@ fn edge_between(own: Facet, pixel: vec2i, step: vec2i) -> Edge {
         return Edge(OBJECT_BORDER, vec2f(0.0), 0.0, 0.0);
     }
     if own.number != other.number {
-        return Edge(LOOK_BORDER, vec2f(0.0), 0.0, 0.0);
+        let is_material = material_in(own.number) != material_in(other.number);
+        let kind = select(ID_BORDER, MATERIAL_BORDER, is_material);
+        return Edge(kind, vec2f(0.0), 0.0, 0.0);
     }
     let bend = length(own.normal - other.normal);
     if bend < LEAST_BEND || bend - round_bend(own, other, pixel, step) < LEAST_BEND {
@@ -617,7 +652,7 @@ fn goes_on(own: Facet, slope: vec2f, size: f32, pixel: vec2i, step: vec2i) -> bo
 }
 
 /// Codes of the edges of each kind between a pixel and the four beside it, those that are known
-/// best; 0 for none.
+/// best; 0 for none, and negative for borders of ids.
 fn edges_at(pixel: vec2i) -> vec4f {
     let own = facet_at(pixel);
     if own.number == 0.0 {
@@ -644,10 +679,12 @@ fn edges_at(pixel: vec2i) -> vec4f {
         if edge.kind != SILHOUETTE {
             edge = meeting(own, pixel, step, edge.kind);
         }
-        let is_kind = vec4i(edge.kind) == vec4i(SILHOUETTE, CREASE, OBJECT_BORDER, LOOK_BORDER);
+        let place = min(edge.kind, MATERIAL_BORDER);
+        let is_kind = vec4i(place) == vec4i(SILHOUETTE, CREASE, OBJECT_BORDER, MATERIAL_BORDER);
         let is_better = is_kind & (vec4f(edge.trust) > trust);
         trust = select(trust, vec4f(edge.trust), is_better);
-        codes = select(codes, vec4f(edge_code(edge.normal, edge.offset)), is_better);
+        let code = edge_code(edge.normal, edge.offset);
+        codes = select(codes, vec4f(select(code, -code, edge.kind == ID_BORDER)), is_better);
     }
     return codes;
 }

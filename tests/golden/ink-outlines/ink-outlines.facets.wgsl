@@ -1,5 +1,5 @@
 // Ink outlines: made by Chiaro 0.1.0, WGSL.
-// Draws normals, depth, objects and looks, for the passes of lines.
+// Draws normals, depth, objects, materials and ids, for lines.
 // Bindings of group 0: view 0, object 1.
 // ink-outlines.json says what to put there and how to draw.
 
@@ -15,10 +15,8 @@ struct Object {
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
-    /// The alpha cutoff of the material, 0 for none.
-    cutoff: f32,
-    /// The number of the look as a share of 1, for the borders of looks.
-    look: f32,
+    /// The number of the material, from 0 on, for the borders of materials.
+    material: f32,
 }
 
 /// The surface under the fragment, in world space.
@@ -56,6 +54,26 @@ fn surface_texel(normal: vec3f, depth: f32, number: f32) -> vec4f {
     return vec4f(slope_of(normal), depth, select(number, -number, normal.z < 0.0));
 }
 
+/// Materials of an object, ids and objects that the numbers of texels tell apart; beyond that many
+/// they repeat.
+const MATERIALS = 32.0;
+const IDS = 128.0;
+const OBJECTS = 4096.0;
+/// The number of an object in texels, from 1 on.
+fn object_number(object: f32) -> f32 {
+    return object - OBJECTS * floor(object / OBJECTS) + 1.0;
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+fn facet_number(object: f32, material: f32, id: f32) -> f32 {
+    let whole = round(select(0.0, id, abs(id) <= 1e6));
+    let parts = IDS * (material - MATERIALS * floor(material / MATERIALS))
+        + whole - IDS * floor(whole / IDS);
+    return object_number(object) + parts / (MATERIALS * IDS);
+}
+
 /// The normal that the passes of lines see.
 fn shade(surface: Surface) -> vec3f {
     return surface.normal;
@@ -88,5 +106,5 @@ fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) 
     let surface = Surface(normal);
     let seen = (view.camera_from_world * vec4f(shade(surface), 0.0)).xyz;
     let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;
-    return surface_texel(seen, depth, object.id + 1.0 + object.look);
+    return surface_texel(seen, depth, facet_number(object.id, object.material, 0.0));
 }

@@ -6,19 +6,19 @@
 // ink-outlines.json says what to put there and how to draw.
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
+const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 
 
-vec4 whole_picture(uint index_1) {
-    return vec4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+/// A triangle over the whole picture.
+vec4 whole_picture(uint index) {
+    return vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    vec4 _e1 = whole_picture(index);
-    gl_Position = _e1;
+    gl_Position = whole_picture(index);
     return;
 }
 

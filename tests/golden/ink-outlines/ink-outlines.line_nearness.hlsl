@@ -1,17 +1,24 @@
 // Ink outlines: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Finds how near the nearest edges of each kind are.
-// Registers of space 0: surface t0, curvature b0, edges_2 t1, columns_2 t2.
+// Registers of space 0: surface t0, curvature b0, edges t1, columns t2.
 // ink-outlines.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct Curvature {
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     float pixel;
+    /// 1 for perspective, 0 for parallel projection.
     float perspective;
+    /// Height of the picture, in pixels.
     float viewport_height;
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
+    /// the top.
     float rows_up;
+    /// Samples per pixel of the picture.
     float samples;
 };
 
+/// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
     int _pad1_0;
@@ -19,91 +26,158 @@ struct SeenPixel {
     float4 texel;
 };
 
+/// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
+/// of depth are along columns and rows of the image.
 struct Plane {
     float object;
     float depth;
+    /// Change of depth from a pixel to the next.
     float2 rise;
+    /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
     int _end_pad_0;
 };
 
+/// A pixel whose curvature is measured.
 struct Center {
     int2 at;
     float2 slope;
     Plane plane;
 };
 
+/// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
+/// row after it, and in the row before it.
 struct Ring {
+    /// Weighted changes of slope.x from the center.
     float4 x;
+    /// Weighted changes of slope.y from the center.
     float4 y;
     float4 weights;
 };
 
+/// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
+/// in pixels of the image.
 struct EdgeLines {
     float4 x;
     float4 y;
     float4 offset;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// A free function of one number, drawn through points; flat outside of them. The layout is one for
+/// uniform buffers.
 struct Curve {
+    /// x, y and slope (dy/dx, used by the smooth interpolation) of each point, in increasing x.
     float4 points[16];
+    /// Number of points that count.
     uint count;
+    /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
+    /// next point.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
+};
+
+/// Widths of lines of each kind, in pixels.
+struct LineWidths {
+    /// Of silhouettes, creases, borders of objects and borders of materials.
+    float4 kinds;
+    /// Of borders of ids.
+    float ids;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
 };
 
 static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
+static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 
 Texture2D<float4> surface : register(t0);
 cbuffer curvature : register(b0) { Curvature curvature; }
-Texture2D<float4> edges_2 : register(t1);
-Texture2D<float4> columns_2 : register(t2);
+Texture2D<float4> edges : register(t1);
+Texture2D<float4> columns : register(t2);
 
 struct FragmentInput_fs_main {
     float4 position_1 : SV_Position;
 };
 
+/// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float4 surface_texel(float3 normal_1, float depth, float number)
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
 {
-    const float2 _e3 = slope_of(normal_1);
-    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
+/// The number of an object in texels, from 1 on.
+float object_number(float object)
+{
+    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+float facet_number(float object, float material, float id)
+{
+    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
+    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
+    return (object_number(object) + (parts / 4096.0));
+}
+
+/// The normal that a texel was made from.
 float3 normal_of(float4 texel)
 {
+    // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
+    // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     float2 aside = (0.2 * texel.xy);
     float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
     float nz = ((texel.w < 0.0) ? -(rest) : rest);
@@ -111,32 +185,35 @@ float3 normal_of(float4 texel)
     return ((nz >= 0.2) ? facing : float3(aside, nz));
 }
 
-float4 whole_picture(uint index_1)
+/// A triangle over the whole picture.
+float4 whole_picture(uint index)
 {
-    return float4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// A step in pixels: a share of the picture's height, so that a larger picture measures the same
+/// curvature, not a finer one.
 int step_pixels()
 {
-    float _e2 = curvature.viewport_height;
-    return max(naga_f2i32(round((_e2 / 800.0))), int(1));
+    return max(naga_f2i32(round((curvature.viewport_height / 800.0))), int(1));
 }
 
+/// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction()
 {
-    float _e2 = curvature.rows_up;
-    return ((_e2 > 0.5) ? 1.0 : -1.0);
+    return ((curvature.rows_up > 0.5) ? 1.0 : -1.0);
 }
 
-int2 around(int index_2)
+/// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
+int2 around(int index)
 {
-    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index_2 & int(1))))));
-    int2 straight = ((index_2 < int(2)) ? int2(side, int(0)) : int2(int(0), side));
-    return ((index_2 > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index_2 & int(2))))) : straight);
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
+    int2 straight = ((index < int(2)) ? int2(side, int(0)) : int2(int(0), side));
+    return ((index > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight);
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -153,51 +230,44 @@ uint2 NagaDimensions2D(Texture2D<float4> tex)
     return ret.xy;
 }
 
+/// The pixel whose surface a pixel has: its own, or that of a neighbor.
+///
+/// With several samples a pixel, a look also shades pixels whose middle the object just misses:
+/// they have the surface of the nearest of the eight pixels around that shows one.
 SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
-    bool local = (bool)0;
-    int index_3 = (int)0;
+    bool local_1 = (bool)0;
+    int index = (int)0;
 
-    float4 _e3 = surface.Load(int3(pixel, int(0)));
-    seen = ConstructSeenPixel(pixel, _e3);
+    seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float _e14 = curvature.samples;
-    if ((_e14 >= 2.0)) {
-        float _e21 = seen.texel.w;
-        local = (_e21 == 0.0);
+    if ((curvature.samples >= 2.0)) {
+        local_1 = (seen.texel.w == 0.0);
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool may_be_missed = local;
-    index_3 = (may_be_missed ? int(7) : int(-1));
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    bool may_be_missed = local_1;
+    index = (may_be_missed ? int(7) : int(-1));
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e47 = index_3;
-            index_3 = asint(asuint(_e47) - asuint(int(1)));
+            index = asint(asuint(index) - asuint(int(1)));
         }
         loop_init = false;
-        int _e30 = index_3;
-        if ((_e30 >= int(0))) {
+        if ((index >= int(0))) {
         } else {
             break;
         }
         {
-            int _e33 = index_3;
-            const int2 _e34 = around(_e33);
-            int2 near = clamp(asint(asuint(pixel) + asuint(_e34)), (int(0)).xx, last);
-            float4 texel_2 = surface.Load(int3(near, int(0)));
-            if ((texel_2.w != 0.0)) {
-                seen = ConstructSeenPixel(near, texel_2);
+            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+            float4 texel = surface.Load(int3(near, int(0)));
+            if ((texel.w != 0.0)) {
+                seen = ConstructSeenPixel(near, texel);
             }
         }
     }
-    SeenPixel _e49 = seen;
-    const SeenPixel seenpixel = _e49;
+    const SeenPixel seenpixel = seen;
     return seenpixel;
 }
 
@@ -210,23 +280,24 @@ Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
     return ret;
 }
 
-Plane plane_of(float object, float depth_1, float3 normal_2)
+Plane plane_of(float object, float depth, float3 normal)
 {
-    float _e5 = curvature.pixel;
-    float _e8 = curvature.perspective;
-    float pixel_4 = (_e5 * lerp(1.0, depth_1, _e8));
-    float2 gradient = (normal_2.xy / (max(normal_2.z, 0.02)).xx);
-    const float _e19 = row_direction();
-    const Plane plane_1 = ConstructPlane(object, depth_1, ((pixel_4 * gradient) * float2(1.0, _e19)), ((2.0 * pixel_4) * (1.0 + length(gradient))));
+    float pixel = (curvature.pixel * lerp(1.0, depth, curvature.perspective));
+    float2 gradient = (normal.xy / (max(normal.z, 0.02)).xx);
+    const float row_direction_value = row_direction();
+    const Plane plane_1 = ConstructPlane(object, depth, ((pixel * gradient) * float2(1.0, row_direction_value)), ((2.0 * pixel) * (1.0 + length(gradient))));
     return plane_1;
 }
 
+/// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
+/// depths, and the rises of depth to them on the plane.
 float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
     float4 error = abs(((depths - (plane.depth).xxxx) - rises));
     float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
-    float4 weights_1 = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
-    return ((objects == (plane.object).xxxx) ? weights_1 : (0.0).xxxx);
+    // The weight fades, so that the last bit of a depth does not decide between all and nothing.
+    float4 weights = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
+    return ((objects == (plane.object).xxxx) ? weights : (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
@@ -237,13 +308,12 @@ Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
     return ret;
 }
 
-Center center_at(int2 pixel_1)
+/// The center for a pixel; its object is 0 where there is none.
+Center center_at(int2 pixel)
 {
-    const SeenPixel _e1 = seen_pixel(pixel_1);
-    float4 texel_3 = _e1.texel;
-    const float3 _e8 = normal_of(texel_3);
-    const Plane _e9 = plane_of(abs(texel_3.w), texel_3.z, _e8);
-    const Center center_2 = ConstructCenter(_e1.at, texel_3.xy, _e9);
+    const SeenPixel seen = seen_pixel(pixel);
+    float4 texel = seen.texel;
+    const Center center_2 = ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
     return center_2;
 }
 
@@ -255,79 +325,89 @@ Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
     return ret;
 }
 
+/// The ring that is so many steps away, with its weight.
 Ring ring_at(Center center_, int steps, float weight)
 {
-    const int _e3 = step_pixels();
-    int reach_3 = asint(asuint(steps) * asuint(_e3));
-    float distance_3 = float(reach_3);
+    int reach = asint(asuint(steps) * asuint(step_pixels()));
+    float distance_ = float(reach);
     int2 at = center_.at;
-    int2 last_1 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 a_6 = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach_3)), last_1.x), at.y), int(0)));
-    float4 b_6 = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach_3)), int(0)), at.y), int(0)));
-    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach_3)), last_1.y)), int(0)));
-    float4 d_2 = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach_3)), int(0))), int(0)));
-    bool4 is_inside = (int4(asint(asuint(last_1.x) - asuint(at.x)), at.x, asint(asuint(last_1.y) - asuint(at.y)), at.y) >= (reach_3).xxxx);
-    float4 objects_1 = (is_inside ? abs(float4(a_6.w, b_6.w, c.w, d_2.w)) : (0.0).xxxx);
-    float2 rise = (distance_3 * center_.plane.rise);
-    float4 rises_1 = float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    const float4 _e86 = neighbor_weights(center_.plane, objects_1, float4(a_6.z, b_6.z, c.z, d_2.z), rises_1, distance_3);
-    float4 shares_1 = ((weight * distance_3) * _e86);
-    const Ring ring_1 = ConstructRing((shares_1 * (float4(a_6.x, b_6.x, c.x, d_2.x) - (center_.slope.x).xxxx)), (shares_1 * (float4(a_6.y, b_6.y, c.y, d_2.y) - (center_.slope.y).xxxx)), (shares_1 * distance_3));
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y), int(0)));
+    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)), int(0)));
+    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
+    // Beyond the image nothing is.
+    bool4 is_inside = (int4(asint(asuint(last.x) - asuint(at.x)), at.x, asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx);
+    float4 objects = (is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx);
+    float2 rise = (distance_ * center_.plane.rise);
+    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects, float4(a.z, b.z, c.z, d.z), rises, distance_);
+    float4 shares = ((weight * distance_) * neighbor_weights_value);
+    const Ring ring_1 = ConstructRing((shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_));
     return ring_1;
 }
 
+/// Two rings as one.
 Ring joined(Ring a, Ring b)
 {
     const Ring ring_2 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
     return ring_2;
 }
 
-Ring rings_at(Center center_1)
+/// The twelve neighbors one, two and three steps away.
+Ring rings_at(Center center_)
 {
-    const Ring _e3 = ring_at(center_1, int(1), 1.0);
-    const Ring _e6 = ring_at(center_1, int(2), 0.85);
-    const Ring _e7 = joined(_e3, _e6);
-    const Ring _e10 = ring_at(center_1, int(3), 0.5);
-    const Ring _e11 = joined(_e7, _e10);
-    const Ring ring_3 = _e11;
+    const Ring near = joined(ring_at(center_, int(1), 1.0), ring_at(center_, int(2), 0.85));
+    const Ring ring_3 = joined(near, ring_at(center_, int(3), 0.5));
     return ring_3;
 }
 
+/// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
+/// each side counts; 0 where none does.
 float2 derivatives(float4 changes, float4 weights)
 {
+    // A side that hardly counts any more is left to the other one, gradually.
     float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
     float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
     float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
-    const float _e22 = row_direction();
-    return (along * float2(1.0, _e22));
+    return (along * float2(1.0, row_direction()));
 }
 
+/// Mean curvature from the neighbors.
 float mean_curvature(Ring ring)
 {
-    const float2 _e7 = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
-    float _e15 = curvature.viewport_height;
-    return clamp(((0.5 * (_e7.x + _e7.y)) * _e15), -10000.0, 10000.0);
+    const float2 along = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
+    return clamp(((0.5 * (along.x + along.y)) * curvature.viewport_height), -10000.0, 10000.0);
 }
 
-float object_in(float number_1)
+/// The number of the object in a texel's number, from 1 on; 0 where nothing is.
+float object_in(float number)
 {
-    return floor(abs(number_1));
+    return floor(abs(number));
 }
 
-float edge_code(float2 normal_3, float offset)
+/// The number of the material in a texel's number, from 0 on.
+float material_in(float number)
 {
-    float share = (normal_3.x / max((abs(normal_3.x) + abs(normal_3.y)), 1e-20));
-    float turn = ((normal_3.y >= 0.0) ? (1.0 - share) : (3.0 + share));
+    return floor((frac(abs(number)) * 32.0));
+}
+
+/// The fine code of an edge by its unit normal and its offset, less than 2 pixels; never 0.
+float edge_code(float2 normal, float offset)
+{
+    float share = (normal.x / max((abs(normal.x) + abs(normal.y)), 1e-20));
+    float turn = ((normal.y >= 0.0) ? (1.0 - share) : (3.0 + share));
     float direction = min(floor((turn * 1024.0)), 4095.0);
     float place = floor(((clamp(offset, -1.99, 1.99) + 2.0) * 1024.0));
     return ((place * 4096.0) + direction);
 }
 
+/// Codes of few levels from fine ones.
 float4 coarse_codes(float4 codes)
 {
-    float4 place_1 = floor((codes / (4096.0).xxxx));
-    float4 direction_1 = (codes - (4096.0 * place_1));
-    return ((floor((place_1 * 0.125)) * 512.0) + floor((direction_1 * 0.125)));
+    float4 place = floor((codes / (4096.0).xxxx));
+    float4 direction = (codes - (4096.0 * place));
+    return ((floor((place * 0.125)) * 512.0) + floor((direction * 0.125)));
 }
 
 EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
@@ -338,213 +418,287 @@ EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
     return ret;
 }
 
-EdgeLines edges_of(float4 codes_1, float levels)
+/// The edges that codes of so many levels say, each 0 or more.
+EdgeLines edges_of(float4 codes, float levels)
 {
-    float4 place_2 = floor((codes_1 / (levels).xxxx));
-    float4 turn_1 = (((codes_1 - (levels * place_2)) + (0.5).xxxx) * (4.0 / levels));
-    bool4 is_back = (turn_1 >= (2.0).xxxx);
-    float4 x_28 = (is_back ? (turn_1 - (3.0).xxxx) : ((1.0).xxxx - turn_1));
-    float4 rest_1 = ((1.0).xxxx - abs(x_28));
-    float4 y_6 = (is_back ? -(rest_1) : rest_1);
-    float4 size = sqrt(((x_28 * x_28) + (y_6 * y_6)));
-    const EdgeLines edgelines = ConstructEdgeLines((x_28 / size), (y_6 / size), (((place_2 + (0.5).xxxx) * (4.0 / levels)) - (2.0).xxxx));
+    float4 place = floor((codes / (levels).xxxx));
+    float4 turn = (((codes - (levels * place)) + (0.5).xxxx) * (4.0 / levels));
+    bool4 is_back = (turn >= (2.0).xxxx);
+    float4 x = (is_back ? (turn - (3.0).xxxx) : ((1.0).xxxx - turn));
+    float4 rest = ((1.0).xxxx - abs(x));
+    float4 y = (is_back ? -(rest) : rest);
+    float4 size = sqrt(((x * x) + (y * y)));
+    const EdgeLines edgelines = ConstructEdgeLines((x / size), (y / size), (((place + (0.5).xxxx) * (4.0 / levels)) - (2.0).xxxx));
     return edgelines;
 }
 
-float4 middle_distances(EdgeLines edges, float4 columns, float4 rows)
+/// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
+/// edges' pixels from it: they tell which piece is the nearest, whichever way it leans. The first
+/// edge is a silhouette, which counts on its inner side alone unless `beyond` says both: outside it
+/// is [`FAR`].
+float4 middle_distances(EdgeLines edges, float4 columns, float4 rows, bool beyond)
 {
-    float4 x_29 = (columns + (edges.x * edges.offset));
-    float4 y_7 = (rows + (edges.y * edges.offset));
-    float inward = ((x_29.x * edges.x.x) + (y_7.x * edges.y.x));
-    float4 distances = sqrt(((x_29 * x_29) + (y_7 * y_7)));
-    return float4(((inward < -1.0) ? 1000000000.0 : distances.x), distances.yzw);
+    bool local_2 = (bool)0;
+
+    float4 x = (columns + (edges.x * edges.offset));
+    float4 y = (rows + (edges.y * edges.offset));
+    float inward = ((x.x * edges.x.x) + (y.x * edges.y.x));
+    float4 distances = sqrt(((x * x) + (y * y)));
+    if ((inward < -1.0)) {
+        local_2 = !(beyond);
+    } else {
+        local_2 = false;
+    }
+    return float4((local_2 ? 1000000000.0 : distances.x), distances.yzw);
 }
 
-float4 edge_distances(EdgeLines edges_1, float4 columns_1, float4 rows_1)
+/// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
+/// pixels from it. The first is a silhouette, and 0 away beyond it, where a pixel is only touched,
+/// unless `beyond` pixels count as those within do.
+float4 edge_distances(EdgeLines edges, float4 columns, float4 rows, bool beyond)
 {
-    float4 across_1 = ((edges_1.offset + (edges_1.x * columns_1)) + (edges_1.y * rows_1));
-    float4 along_1 = abs(((edges_1.y * columns_1) - (edges_1.x * rows_1)));
-    float4 beyond = max((along_1 - (1.0).xxxx), (0.0).xxxx);
-    float4 side_1 = float4(max(across_1.x, 0.0), abs(across_1.yzw));
-    return sqrt(((side_1 * side_1) + (beyond * beyond)));
+    float4 across = ((edges.offset + (edges.x * columns)) + (edges.y * rows));
+    float4 along = abs(((edges.y * columns) - (edges.x * rows)));
+    // What is farther along than the edge's own pixel lies beyond the edge's end.
+    float4 past = max((along - (1.0).xxxx), (0.0).xxxx);
+    float inner = (beyond ? abs(across.x) : max(across.x, 0.0));
+    float4 side = float4(inner, abs(across.yzw));
+    return sqrt(((side * side) + (past * past)));
 }
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise)
+/// x, or `otherwise` where x is NaN or infinite.
+/// @where x is finite : x
+float finite_or(float x, float otherwise)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+    const bool is_finite_value = is_finite(x);
+    return (is_finite_value ? x : otherwise);
 }
 
-float3 finite_vec3_(float3 v)
+/// v with 0 for each component that is NaN or infinite.
+/// @where v is finite : v
+float3 finite_vec3(float3 v)
 {
-    uint3 exponent_2 = (2139095040u).xxx;
-    return (((asuint(v) & exponent_2) != exponent_2) ? v : (0.0).xxx);
+    uint3 exponent = (2139095040u).xxx;
+    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxx);
 }
 
-float4 finite_vec4_(float4 v_1)
+/// v with 0 for each component that is NaN or infinite.
+/// @where v is finite : v
+float4 finite_vec4(float4 v)
 {
-    uint4 exponent_3 = (2139095040u).xxxx;
-    return (((asuint(v_1) & exponent_3) != exponent_3) ? v_1 : (0.0).xxxx);
+    uint4 exponent = (2139095040u).xxxx;
+    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_or(float3 v_2, float3 otherwise_1)
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
+/// @where v is unit : v
+/// @where tier is balanced and |v| <= 1e18 and otherwise = 0 :
+///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
+/// @where |v| <= 1e18 : normalize_moderate(v, otherwise)
+float3 normalize_or(float3 v, float3 otherwise)
 {
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return otherwise_1;
+        return otherwise;
     }
-    float3 scaled = (v_2 * (1.0 / largest));
+    float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
-        return otherwise_1;
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
+        return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x_2)
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable(float x)
 {
-    float clamped_2 = clamp(x_2, -126.0, 127.99999);
-    float whole = round(clamped_2);
-    float f = (clamped_2 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
+/// 2^n for n in [-126, 127], by its bits.
 float power_of_two(int n)
 {
     return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
 }
 
-float log2_stable(float x_3)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_3);
-    int exponent_4 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_4) << 23u)));
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_4) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-float log_stable(float x_4)
+/// ln(x) for normal x > 0.
+float log_stable(float x)
 {
-    const float _e2 = log2_stable(x_4);
-    return (LN_2_ * _e2);
+    return (LN_2 * log2_stable(x));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1)
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y)
 {
-    if ((y_1 < 0.25)) {
-        const float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    const float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
-    return _e8;
+    return log_stable(max((1.0 - y), 1.1754944e-38));
 }
 
-float2 sin_cos_quarter(float x_5)
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
+/// @where |x| <= 0.1 : sin_cos_tiny(x)
+/// @where |x| <= 0.785 : sin_cos_eighth(x)
+float2 sin_cos_quarter(float x)
 {
-    float h = (0.5 * x_5);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c_1 = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c_1), (1.0 - ((2.0 * s) * s)));
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
+    float h = (0.5 * x);
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
+    float c = (1.0 - one_minus_c);
+    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos_eighth(float x_6)
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+float2 sin_cos_eighth(float x)
 {
-    float y_8 = (x_6 * x_6);
-    float s_1 = (x_6 * (1.0 + (y_8 * (-0.16666667 + (y_8 * (0.008333334 + (y_8 * (-0.0001984127 + (y_8 * 2.7557319e-6)))))))));
-    float c_2 = (1.0 - (y_8 * (0.5 + (y_8 * (-0.041666668 + (y_8 * (0.0013888889 + (y_8 * (-2.4801588e-5 + (y_8 * 2.755732e-7))))))))));
-    return float2(s_1, c_2);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    return float2(s, c);
 }
 
-float2 sin_cos_tiny(float x_7)
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+float2 sin_cos_tiny(float x)
 {
-    float y_9 = (x_7 * x_7);
-    float s_2 = (x_7 * (1.0 + (y_9 * (-0.16666667 + (y_9 * 0.008333334)))));
-    float c_3 = (1.0 - (y_9 * (0.5 + (y_9 * (-0.041666668 + (y_9 * 0.0013888889))))));
-    return float2(s_2, c_3);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
+    return float2(s, c);
 }
 
-float2 sin_cos_half(float x_8, float left)
+/// sin(x/2) and cos(x/2) for x in [0, pi], given `left`, which is pi - x: both keep their relative
+/// accuracy at both ends, because the smaller angle is halved and its cosine is the other's sine.
+float2 sin_cos_half(float x, float left)
 {
-    const float2 _e5 = sin_cos_quarter((0.5 * min(x_8, left)));
-    return ((x_8 <= left) ? _e5 : _e5.yx);
+    const float2 half_ = sin_cos_quarter((0.5 * min(x, left)));
+    return ((x <= left) ? half_ : half_.yx);
 }
 
-float left_to_pi(float x_9)
+/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32
+/// next to pi.
+float left_to_pi(float x)
 {
-    float coarse = max((3.1415927 - x_9), 0.0);
+    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps
+    // compilers from making one constant of both.
+    float coarse = max((3.1415927 - x), 0.0);
     return max((coarse - 8.742278e-8), 0.0);
 }
 
-float2 sin_cos(float x_10)
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
+float2 sin_cos(float x)
 {
-    float turns_1 = round((x_10 * 0.31830987));
-    float r_3 = (((x_10 - (turns_1 * 3.140625)) - (turns_1 * 0.00096702576)) - (turns_1 * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns_1 - (2.0 * trunc((turns_1 * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r_3, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    float turns = round((x * 0.31830987));
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    float r = (((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
+    return (sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI)));
 }
 
-float3 normalize_quick(float3 v_3, float3 otherwise_2)
+/// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
+/// counts as having no direction.
+/// @where v is unit : v
+/// @where tier is balanced and |v| <= 1e18 and otherwise = 0 :
+///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
+float3 normalize_quick(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_3, v_3);
-    bool is_usable = ((square_1 > 1e-30) & (square_1 < 1e36));
-    return (is_usable ? (v_3 * rsqrt((is_usable ? square_1 : 1.0))) : otherwise_2);
+    float square = dot(v, v);
+    // Comparisons are false for NaN; what `select` leaves out never reaches the result.
+    bool is_usable = ((square > 1e-30) & (square < 1e36));
+    return (is_usable ? (v * rsqrt((is_usable ? square : 1.0))) : otherwise);
 }
 
-float3 normalize_moderate(float3 v_4, float3 otherwise_3)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+/// @where v is unit : v
+/// @where tier is balanced and otherwise = 0 : v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_2 = dot(v_4, v_4);
-    return ((square_2 > 1e-30) ? (v_4 * rsqrt(max(square_2, 1e-30))) : otherwise_3);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_5)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_5, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
-float3 normalize_seen_balanced(float3 v_6)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_6 * rsqrt(max(dot(v_6, v_6), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
-float2 sin_cos_quick(float x_11)
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
+float2 sin_cos_quick(float x)
 {
-    float y_10 = (x_11 * x_11);
-    float s_3 = (x_11 * (1.0 + (y_10 * (-0.16666666 + (y_10 * (0.0083332425 + (y_10 * (-0.0001982274 + (y_10 * 2.6347564e-6)))))))));
-    float c_4 = (1.0 + (y_10 * (-0.5 + (y_10 * (0.04166666 + (y_10 * (-0.0013888652 + (y_10 * (2.477458e-5 - (y_10 * 2.6297516e-7))))))))));
-    return float2(s_3, c_4);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    return float2(s, c);
 }
 
-float2 sin_cos_short(float x_12)
+/// [`sin_cos_quick`] shorter still (absolute error 4.8e-6 and 2.2e-7).
+float2 sin_cos_short(float x)
 {
-    float y_11 = (x_12 * x_12);
-    float s_4 = (x_12 * (1.0 + (y_11 * (-0.16666542 + (y_11 * (0.008324197 - (y_11 * 0.00018846673)))))));
-    float c_5 = (1.0 + (y_11 * (-0.4999999 + (y_11 * (0.04166567 + (y_11 * (-0.0013868611 + (y_11 * 2.3476086e-5))))))));
-    return float2(s_4, c_5);
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666542 + (y * (0.008324197 - (y * 0.00018846673)))))));
+    float c = (1.0 + (y * (-0.4999999 + (y * (0.04166567 + (y * (-0.0013868611 + (y * 2.3476086e-5))))))));
+    return float2(s, c);
 }
 
-float log2_one_minus(float y_2)
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
+float log2_one_minus(float y)
 {
-    float series = ((-(y_2) * LOG2_E) * (1.0 + (y_2 * (0.5 + (y_2 * (0.33333334 + (y_2 * (0.25 + (y_2 * 0.2)))))))));
-    return ((y_2 < 0.0625) ? series : log2(max((1.0 - y_2), 7.888609e-31)));
+    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
+    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -554,570 +708,637 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
+/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
+/// @where d is unit and l is unit : angle_of_units(d, l)
 Angle angle_between(float3 d, float3 l)
 {
     float p = length((d - l));
-    float s_5 = length((d + l));
-    float k = (1.0 / sqrt(max(((p * p) + (s_5 * s_5)), 1e-30)));
-    const Angle angle = ConstructAngle((p * k), (s_5 * k));
+    float s = length((d + l));
+    float k = (1.0 / sqrt(max(((p * p) + (s * s)), 1e-30)));
+    const Angle angle = ConstructAngle((p * k), (s * k));
     return angle;
 }
 
-float atan2_positive(float y_3, float x_13)
+/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
+float atan2_positive(float y, float x)
 {
-    float small = min(y_3, x_13);
-    float large = max(y_3, x_13);
+    float small = min(y, x);
+    float large = max(y, x);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_5 = (small / large);
-    bool is_wide = (t_5 > 0.41421357);
-    float r_4 = (is_wide ? ((small - large) / (small + large)) : t_5);
-    float r2_ = (r_4 * r_4);
-    float series_1 = (r_4 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_7 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_3 > x_13) ? (HALF_PI - a_7) : a_7);
+    float t = (small / large);
+    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
+    float r2 = (r * r);
+    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x) ? (HALF_PI - a) : a);
 }
 
+/// The angle u in radians.
 float angle_radians(Angle u)
 {
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
 }
 
+/// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(float radians_)
 {
-    const float _e2 = finite_or(radians_, 0.0);
-    float half_angle = (0.5 * clamp(_e2, 0.0, PI));
-    const float2 _e8 = sin_cos_quarter(half_angle);
-    const Angle angle_1 = ConstructAngle(max(_e8.x, 0.0), max(_e8.y, 0.0));
+    float half_angle = (0.5 * clamp(finite_or(radians_, 0.0), 0.0, PI));
+    const float2 sc = sin_cos_quarter(half_angle);
+    const Angle angle_1 = ConstructAngle(max(sc.x, 0.0), max(sc.y, 0.0));
     return angle_1;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_6 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_6 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_6 <= 0.0) ? float2(1.0, 0.0) : float2(s_6, c_6));
-    float2 turned = (((s_6 <= 0.0) & (s_6 < c_6)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-Angle angle_shifted(Angle u_2, float shift)
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
+Angle angle_shifted(Angle u, float shift)
 {
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_3 = _e8;
+    const Angle angle_3 = angle_turned(u, sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI))));
     return angle_3;
 }
 
-float angle_footprint(Angle u_3)
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+float angle_footprint(Angle u)
 {
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
+    float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
     float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w, 0.5);
-    return min(_e13, 0.5);
+    // An infinite or NaN derivative at a silhouette gives the widest footprint.
+    return min(finite_or(w, 0.5), 0.5);
 }
 
-Angle angle_of_units(float3 d_1, float3 l_1)
+/// [`angle_between`] for vectors that are unit but for rounding: half of each chord, without
+/// normalizing the two halves again.
+Angle angle_of_units(float3 d, float3 l)
 {
-    const Angle angle_4 = ConstructAngle((0.5 * length((d_1 - l_1))), (0.5 * length((d_1 + l_1))));
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - l))), (0.5 * length((d + l))));
     return angle_4;
 }
 
-float bounded(float x_14)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+/// @where x is finite : x
+float bounded(float x)
 {
-    uint bits_1 = asuint(x_14);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_14 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_7)
+/// [`bounded`], component by component.
+/// @where v is finite : v
+float2 bounded_vec2(float2 v)
 {
-    uint2 bits_2 = asuint(v_7);
-    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
-    float2 largest_2 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
-    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_2 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_7 : numbers);
+    uint2 bits = asuint(v);
+    uint2 magnitude = (bits & (2147483647u).xx);
+    float2 largest = asfloat(((bits & (2147483648u).xx) | (2139095039u).xx));
+    float2 numbers = ((magnitude == (2139095040u).xx) ? largest : (0.0).xx);
+    return ((magnitude < (2139095040u).xx) ? v : numbers);
 }
 
-float3 bounded_vec3_(float3 v_8)
+/// [`bounded`], component by component.
+/// @where v is finite : v
+float3 bounded_vec3(float3 v)
 {
-    uint3 bits_3 = asuint(v_8);
-    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
-    float3 largest_3 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_3 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_8 : numbers_1);
+    uint3 bits = asuint(v);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v : numbers);
 }
 
-float4 bounded_vec4_(float4 v_9)
+/// [`bounded`], component by component.
+/// @where v is finite : v
+float4 bounded_vec4(float4 v)
 {
-    uint4 bits_4 = asuint(v_9);
-    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
-    float4 largest_4 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_4 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_9 : numbers_2);
+    uint4 bits = asuint(v);
+    uint4 magnitude = (bits & (2147483647u).xxxx);
+    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
+    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
 }
 
-float divided(float a_1, float b_1)
+/// a / b; 0 where b is 0.
+float divided(float a, float b)
 {
-    if ((abs(b_1) < SMALLEST_NORMAL)) {
+    if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a_1 / b_1));
-    return _e7;
+    return bounded((a / b));
 }
 
-float modulo_floored(float x_15, float y_4)
+/// x - y floor(x / y): from 0 up to y, without y, with the sign of y; 0 where y is 0.
+float modulo_floored(float x, float y)
 {
-    float size_1 = abs(y_4);
-    if ((size_1 < SMALLEST_NORMAL)) {
+    float size = abs(y);
+    if ((size < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float turned_1 = ((y_4 > 0.0) ? x_15 : -(x_15));
-    const float _e11 = bounded((turned_1 / size_1));
-    const float _e15 = bounded((turned_1 - (size_1 * floor(_e11))));
-    float wrapped = ((_e15 < 0.0) ? (_e15 + size_1) : _e15);
-    float inside = (((wrapped >= 0.0) & (wrapped < size_1)) ? wrapped : 0.0);
-    return ((y_4 > 0.0) ? inside : -(inside));
+    float turned = ((y > 0.0) ? x : -(x));
+    // Rounding may put the remainder just outside of its range, and far outside where x / y has no
+    // digits left.
+    const float left = bounded((turned - (size * floor(bounded((turned / size))))));
+    float wrapped = ((left < 0.0) ? (left + size) : left);
+    float inside = (((wrapped >= 0.0) & (wrapped < size)) ? wrapped : 0.0);
+    return ((y > 0.0) ? inside : -(inside));
 }
 
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
+/// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
+///   pow(base, exponent) ~ 3e-4
+/// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
+///   pow(base, exponent) ~ 3e-4
 float powered(float base, float exponent)
 {
-    const float _e2 = bounded(base);
-    const float _e3 = bounded(exponent);
-    if ((_e3 == 1.0)) {
-        return _e2;
+    const float b = bounded(base);
+    const float e = bounded(exponent);
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
+    if ((e == 1.0)) {
+        return b;
     }
-    if ((_e3 == 0.0)) {
+    if ((e == 0.0)) {
         return 1.0;
     }
-    if ((_e3 == 2.0)) {
-        const float _e12 = bounded((_e2 * _e2));
-        return _e12;
+    if ((e == 2.0)) {
+        return bounded((b * b));
     }
-    float magnitude_4 = abs(_e2);
-    const float _e16 = log2_stable(max(magnitude_4, SMALLEST_NORMAL));
-    const float _e18 = bounded((_e3 * _e16));
-    const float _e19 = exp2_stable(_e18);
-    bool is_even = (floor((_e3 * 0.5)) == (_e3 * 0.5));
-    float signed_ = (((_e2 < 0.0) & !(is_even)) ? -(_e19) : _e19);
-    return ((magnitude_4 < SMALLEST_NORMAL) ? 0.0 : signed_);
+    float magnitude = abs(b);
+    const float raised = exp2_stable(bounded((e * log2_stable(max(magnitude, SMALLEST_NORMAL)))));
+    bool is_even = (floor((e * 0.5)) == (e * 0.5));
+    float signed_ = (((b < 0.0) & !(is_even)) ? -(raised) : raised);
+    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : signed_);
 }
 
-float3 powered_vec3_(float3 base_1, float exponent_1)
+/// [`powered`], component by component.
+/// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
+///   pow(base, vec3f(exponent)) ~ 3e-4
+/// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
+///   pow(base, vec3f(exponent)) ~ 3e-4
+float3 powered_vec3(float3 base, float exponent)
 {
-    const float _e3 = powered(base_1.x, exponent_1);
-    const float _e5 = powered(base_1.y, exponent_1);
-    const float _e7 = powered(base_1.z, exponent_1);
-    return float3(_e3, _e5, _e7);
+    return float3(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
 }
 
-float exponential_of(float x_16)
+/// e^x; 0 far below, the largest number from 88.73 on.
+/// @where tier is balanced and |x| <= 80 : exp(x) ~ 3e-5
+float exponential_of(float x)
 {
-    const float _e3 = bounded((x_16 * LOG2_E));
-    const float _e4 = exp2_stable(_e3);
-    return _e4;
+    return exp2_stable(bounded((x * LOG2_E)));
 }
 
-float logarithm_of(float x_17)
+/// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is
+/// -87.34.
+/// @where tier is balanced and x >= 1e-30 and x <= 1e30 : log(x) ~ 2e-5
+float logarithm_of(float x)
 {
-    const float _e1 = bounded(x_17);
-    const float _e4 = log_stable(max(_e1, SMALLEST_NORMAL));
-    return _e4;
+    return log_stable(max(bounded(x), SMALLEST_NORMAL));
 }
 
-float mixed(float a_2, float b_2, float t_1)
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// @where a = 0 and b = 1 and |t| <= 1e15 : t
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
+float mixed(float a, float b, float t)
 {
-    const float _e4 = bounded((b_2 - a_2));
-    const float _e14 = bounded(((t_1 < 0.5) ? (a_2 + (t_1 * _e4)) : (b_2 - ((1.0 - t_1) * _e4))));
-    return _e14;
+    const float d = bounded((b - a));
+    return bounded(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float2 mixed_vec2_(float2 a_3, float2 b_3, float t_2)
+/// [`mixed`], component by component.
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
+float2 mixed_vec2(float2 a, float2 b, float t)
 {
-    const float2 _e4 = bounded_vec2_((b_3 - a_3));
-    const float2 _e14 = bounded_vec2_(((t_2 < 0.5) ? (a_3 + (t_2 * _e4)) : (b_3 - ((1.0 - t_2) * _e4))));
-    return _e14;
+    const float2 d = bounded_vec2((b - a));
+    return bounded_vec2(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float3 mixed_vec3_(float3 a_4, float3 b_4, float t_3)
+/// [`mixed`], component by component.
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
+float3 mixed_vec3(float3 a, float3 b, float t)
 {
-    const float3 _e4 = bounded_vec3_((b_4 - a_4));
-    const float3 _e14 = bounded_vec3_(((t_3 < 0.5) ? (a_4 + (t_3 * _e4)) : (b_4 - ((1.0 - t_3) * _e4))));
-    return _e14;
+    const float3 d = bounded_vec3((b - a));
+    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float4 mixed_vec4_(float4 a_5, float4 b_5, float t_4)
+/// [`mixed`], component by component.
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
+float4 mixed_vec4(float4 a, float4 b, float t)
 {
-    const float4 _e4 = bounded_vec4_((b_5 - a_5));
-    const float4 _e14 = bounded_vec4_(((t_4 < 0.5) ? (a_5 + (t_4 * _e4)) : (b_5 - ((1.0 - t_4) * _e4))));
-    return _e14;
+    const float4 d = bounded_vec4((b - a));
+    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float place_between(float x_18, float low, float high)
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high)
 {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_18 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    const float _e12 = bounded(span);
-    const float _e14 = bounded(((x_18 - low) / _e12));
-    return _e14;
+    return bounded(((x - low) / bounded(span)));
 }
 
-float remapped(float x_19, float from_low, float from_high, float to_low, float to_high, bool clamped)
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+float remapped(float x, float from_low, float from_high, float to_low, float to_high, bool clamped)
 {
-    const float _e6 = bounded(x_19);
-    const float _e7 = bounded(from_low);
-    const float _e8 = bounded(from_high);
-    const float _e9 = place_between(_e6, _e7, _e8);
-    const float _e10 = bounded(to_low);
-    const float _e11 = bounded(to_high);
-    const float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
+    const float place = place_between(bounded(x), bounded(from_low), bounded(from_high));
+    const float bounded_value = bounded(to_low);
+    const float bounded_value_1 = bounded(to_high);
+    return mixed(bounded_value, bounded_value_1, (clamped ? clamp(place, 0.0, 1.0) : place));
 }
 
-float eased(float x_20, float low_1, float high_1)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+/// @where low < high and x is finite and |low| <= 1e30 and |high| <= 1e30 :
+///   smoothstep(low, high, x)
+float eased(float x, float low, float high)
 {
-    const float _e3 = bounded(x_20);
-    const float _e4 = bounded(low_1);
-    const float _e5 = bounded(high_1);
-    const float _e6 = place_between(_e3, _e4, _e5);
-    float t_6 = clamp(_e6, 0.0, 1.0);
-    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+    float t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float factor_of(float x_21, bool clamped_1)
+/// A factor as it is, or kept within 0 and 1 when `clamped`.
+float factor_of(float x, bool clamped)
 {
-    const float _e2 = bounded(x_21);
-    const float _e3 = bounded(x_21);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
+    const float bounded_value = bounded(x);
+    const float bounded_value_1 = bounded(x);
+    return (clamped ? clamp(bounded_value_1, 0.0, 1.0) : bounded_value);
 }
 
-float length_of(float3 v_10)
+/// The length of v, also where its square would over- or underflow.
+/// @where |v| <= 1e18 : length(v)
+float length_of(float3 v)
 {
-    const float3 _e1 = bounded_vec3_(v_10);
-    float largest_5 = max(max(abs(_e1.x), abs(_e1.y)), abs(_e1.z));
-    if ((largest_5 < SMALLEST_NORMAL)) {
+    const float3 w = bounded_vec3(v);
+    float largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
+    if ((largest < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e17 = bounded((largest_5 * length((_e1 / (largest_5).xxx))));
-    return _e17;
+    return bounded((largest * length((w / (largest).xxx))));
 }
 
+/// sin(r) for |r| <= 1.6, a quarter turn and some more: a minimax polynomial (absolute error below
+/// 6e-9 beside rounding).
 float sine_low(float r)
 {
-    float y_12 = (r * r);
-    float high_2 = mad(y_12, 2.5930888e-6, -0.00019803418);
-    float s_7 = mad((r * y_12), mad(y_12, mad(y_12, high_2, 0.008332972), -0.16666655), r);
-    return clamp(s_7, -1.0, 1.0);
+    float y = (r * r);
+    float high = mad(y, 2.5930888e-6, -0.00019803418);
+    float s = mad((r * y), mad(y, mad(y, high, 0.008332972), -0.16666655), r);
+    return clamp(s, -1.0, 1.0);
 }
 
-float sine_turned(float r_1, float turns)
+/// sin(r + pi turns) for |r| <= 1.6 and whole turns.
+float sine_turned(float r, float turns)
 {
-    const float _e2 = sine_low(r_1);
-    return (_e2 * mad(frac((turns * 0.5)), -4.0, 1.0));
+    // Odd turns, of which half is left, turn the sign.
+    return (sine_low(r) * mad(frac((turns * 0.5)), -4.0, 1.0));
 }
 
-float sine_of(float x_22)
+/// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
+/// the balanced tier takes x as off by a rounding or two, which far from 0 is more than its bound.
+/// @where tier is balanced and |x| <= 1e7 : sin(x) ~ 5e-5
+/// @where |x| <= 1.6 : sine_low(x)
+/// @where x >= 0 and x <= 4.17 : cosine_low(x - 1.57079632679489662)
+/// @where x >= 1.55 and x <= 4.73 : sine_low((3.140625 - x) + 0.000967653589793238463)
+/// @where x >= 2.12 and x <= 7.31 : -cosine_low(x - 4.71238898038468986)
+/// @where |x| <= 3000 : sine_near(x)
+float sine_of(float x)
 {
-    const float _e1 = bounded(x_22);
-    float turns_2 = round((_e1 * 0.31830987));
-    float coarse_1 = mad(turns_2, -0.00096702576, mad(turns_2, -3.140625, _e1));
-    float r_5 = mad(turns_2, -6.2783295e-7, coarse_1);
-    const float _e14 = sine_turned(clamp(r_5, -1.6, 1.6), turns_2);
-    return _e14;
+    const float b = bounded(x);
+    float turns = round((b * 0.31830987));
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    float coarse = mad(turns, -0.00096702576, mad(turns, -3.140625, b));
+    float r = mad(turns, -6.2783295e-7, coarse);
+    // Far out, rounding of the turns leaves somewhat more than a quarter turn.
+    return sine_turned(clamp(r, -1.6, 1.6), turns);
 }
 
-float sine_near(float x_23)
+/// [`sine_of`] where two parts of pi are enough.
+float sine_near(float x)
 {
-    float turns_3 = round((x_23 * 0.31830987));
-    float r_6 = mad(turns_3, -0.0009676536, mad(turns_3, -3.140625, x_23));
-    const float _e8 = sine_turned(r_6, turns_3);
-    return _e8;
+    float turns = round((x * 0.31830987));
+    float r = mad(turns, -0.0009676536, mad(turns, -3.140625, x));
+    return sine_turned(r, turns);
 }
 
-float cosine_of(float x_24)
+/// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
+/// the balanced tier is that of [`sine_of`].
+/// @where tier is balanced and |x| <= 1e7 : cos(x) ~ 5e-5
+/// @where |x| <= 2.6 : cosine_low(x)
+/// @where x >= 0 and x <= 3.17 : sine_low((1.5703125 - x) + 0.000483826794896619231)
+/// @where x >= 0.55 and x <= 5.74 : -cosine_low(x - 3.14159265358979324)
+/// @where |x| <= 3000 : cosine_near(x)
+float cosine_of(float x)
 {
-    const float _e1 = bounded(x_24);
-    float turns_4 = round(((_e1 * 0.31830987) - 0.5));
-    float middle_1 = (turns_4 + 0.5);
-    float coarse_2 = mad(middle_1, -0.00096702576, mad(middle_1, -3.140625, _e1));
-    float r_7 = mad(middle_1, -6.2783295e-7, coarse_2);
-    const float _e19 = sine_turned(-(clamp(r_7, -1.6, 1.6)), turns_4);
-    return _e19;
+    const float b = bounded(x);
+    float turns = round(((b * 0.31830987) - 0.5));
+    float middle = (turns + 0.5);
+    float coarse = mad(middle, -0.00096702576, mad(middle, -3.140625, b));
+    float r = mad(middle, -6.2783295e-7, coarse);
+    return sine_turned(-(clamp(r, -1.6, 1.6)), turns);
 }
 
-float cosine_near(float x_25)
+/// [`cosine_of`] where two parts of pi are enough.
+float cosine_near(float x)
 {
-    float turns_5 = round(((x_25 * 0.31830987) - 0.5));
-    float middle_2 = (turns_5 + 0.5);
-    float r_8 = mad(middle_2, 0.0009676536, mad(middle_2, 3.140625, -(x_25)));
-    const float _e13 = sine_turned(r_8, turns_5);
-    return _e13;
+    float turns = round(((x * 0.31830987) - 0.5));
+    float middle = (turns + 0.5);
+    float r = mad(middle, 0.0009676536, mad(middle, 3.140625, -(x)));
+    return sine_turned(r, turns);
 }
 
-float cosine_low(float r_2)
+/// cos(r) for |r| <= 2.6: a minimax polynomial (absolute error below 2e-9 beside rounding) that is
+/// 1 at 0 and below that elsewhere.
+float cosine_low(float r)
 {
-    float y_13 = (r_2 * r_2);
-    float high_3 = mad(y_13, mad(y_13, 1.8474174e-9, -2.7357322e-7), 2.4793637e-5);
-    return mad(y_13, mad(y_13, mad(y_13, mad(y_13, high_3, -0.0013888741), 0.041666657), -0.5), 1.0);
+    float y = (r * r);
+    float high = mad(y, mad(y, 1.8474174e-9, -2.7357322e-7), 2.4793637e-5);
+    return mad(y, mad(y, mad(y, mad(y, high, -0.0013888741), 0.041666657), -0.5), 1.0);
 }
 
-float2 sin_cos_of(float x_26)
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
+/// @where tier is balanced and |x| <= 1000 : vec2f(sin(x), cos(x)) ~ 5e-5
+float2 sin_cos_of(float x)
 {
-    const float _e1 = bounded(x_26);
-    const float2 _e2 = sin_cos(_e1);
-    return clamp(_e2, (-1.0).xx, (1.0).xx);
+    return clamp(sin_cos(bounded(x)), (-1.0).xx, (1.0).xx);
 }
 
-float angle_of_point(float y_5, float x_27)
+/// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
+float angle_of_point(float y, float x)
 {
-    const float2 _e3 = bounded_vec2_(float2(x_27, y_5));
-    float2 p_1 = abs(_e3);
-    float2 scaled_1 = ((max(p_1.x, p_1.y) > 1.0) ? (0.5 * p_1) : p_1);
-    const float _e15 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_2 = ((x_27 < 0.0) ? (PI - _e15) : _e15);
-    return ((y_5 < 0.0) ? -(turned_2) : turned_2);
+    // Coordinates are halved where they are large, so that the sum of both stays finite.
+    float2 p = abs(bounded_vec2(float2(x, y)));
+    float2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    const float a = atan2_positive(scaled.y, scaled.x);
+    float turned = ((x < 0.0) ? (PI - a) : a);
+    return ((y < 0.0) ? -(turned) : turned);
 }
 
-float line_reach(float viewport_height, float steps_1)
+/// Farthest that a line is known from its edge, in pixels: so many steps of 1/800 of the picture's
+/// height, and at most 31 pixels, as far as an offset fits into a texel.
+float line_reach(float viewport_height, float steps)
 {
-    return min((steps_1 * max(round((viewport_height / 800.0)), 1.0)), 31.0);
+    return min((steps * max(round((viewport_height / 800.0)), 1.0)), 31.0);
 }
 
-float4 own_nearness(float4 nearness, float2 middle, float depth_2, float object_1, float pixels, float reach)
+/// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
+/// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
+/// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
+/// the pixel, so that its silhouette is there; one that lies behind has no line.
+float4 own_nearness(float4 nearness, float2 middle, float depth, float object, float pixels, float reach)
 {
-    bool local_1 = (bool)0;
-    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
-    bool is_same_object = (middle.y == (object_1 + 1.0));
-    float behind = ((depth_2 - middle.x) * pixels);
+    bool is_same_object = (middle.y == object_number(object));
+    float behind = ((depth - middle.x) * pixels);
     if (!((middle.y == 0.0))) {
         if (is_same_object) {
-            local_2 = (abs(behind) <= 8.0);
+            local_4 = (abs(behind) <= 8.0);
         } else {
-            local_2 = false;
+            local_4 = false;
         }
-        bool _e25 = local_2;
-        local_1 = _e25;
+        local_3 = local_4;
     } else {
-        local_1 = true;
+        local_3 = true;
     }
-    bool is_own = local_1;
+    // Slivers of the same surface are seen on the planes of their own triangles.
+    bool is_own = local_3;
     bool is_in_front = (behind < (is_same_object ? -8.0 : -2.0));
     float4 other = float4((is_in_front ? reach : 0.0), 0.0, nearness.z, 0.0);
     return (is_own ? nearness : other);
 }
 
-float line_pixels(float width, float pixels_1)
+/// A number of pixels that a width says, 0 or more and less than any reach needs.
+float line_pixels(float width, float pixels)
 {
-    const float _e2 = bounded(width);
-    const float _e6 = bounded(pixels_1);
-    return (clamp(_e2, 0.0, 1000000.0) * clamp(_e6, 0.0, 1000000.0));
+    return (clamp(bounded(width), 0.0, 1000000.0) * clamp(bounded(pixels), 0.0, 1000000.0));
 }
 
-float4 line_widths(float width_1, float4 shares)
-{
-    const float4 _e4 = bounded_vec4_(shares);
-    float4 widths_1 = (min(width_1, 10000.0) * clamp(_e4, (0.0).xxxx, (100.0).xxxx));
-    return ((widths_1 > (1e-6).xxxx) ? widths_1 : (0.0).xxxx);
+LineWidths ConstructLineWidths(float4 arg0, float arg1) {
+    LineWidths ret = (LineWidths)0;
+    ret.kinds = arg0;
+    ret.ids = arg1;
+    return ret;
 }
 
-float inner_line_covers(float distance_1, float width_2)
+/// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
+LineWidths line_widths(float width, float4 shares, float ids)
 {
-    return clamp(((width_2 + 0.5) - distance_1), 0.0, min(width_2, 1.0));
+    float4 widths = (min(width, 10000.0) * clamp(bounded_vec4(shares), (0.0).xxxx, (100.0).xxxx));
+    float id_width = (min(width, 10000.0) * clamp(bounded(ids), 0.0, 100.0));
+    const LineWidths linewidths = ConstructLineWidths(((widths > (1e-6).xxxx) ? widths : (0.0).xxxx), ((id_width > 1e-6) ? id_width : 0.0));
+    // What no pixel can show is no line.
+    return linewidths;
 }
 
-float3 middle_line_covers(float3 distance_2, float3 width_3)
+/// Widths of the four lines that are near: a negative nearness in the place of materials is that of
+/// a border of ids.
+float4 widths_near(float4 nearness, LineWidths widths)
 {
-    float3 half_1 = (0.5 * width_3);
-    return clamp((min((distance_2 + (0.5).xxx), half_1) - max((distance_2 - (0.5).xxx), -(half_1))), (0.0).xxx, (1.0).xxx);
+    return float4(widths.kinds.xyz, ((nearness.w < 0.0) ? widths.ids : widths.kinds.w));
 }
 
-float4 lines_cover(float4 nearness_1, float4 widths, float reach_1)
+/// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
+/// `distance` pixels away, inward.
+float inner_line_covers(float distance_, float width)
 {
-    float4 distance_4 = ((reach_1).xxxx - nearness_1);
-    const float _e7 = inner_line_covers(distance_4.x, widths.x);
-    const float3 _e10 = middle_line_covers(distance_4.yzw, widths.yzw);
-    float4 covers = float4(_e7, _e10);
-    return ((nearness_1 > (0.0).xxxx) ? covers : (0.0).xxxx);
+    return clamp(((width + 0.5) - distance_), 0.0, min(width, 1.0));
 }
 
-bool is_same_surface(Plane own, float4 texel_1, float2 offset_1)
+/// Share of a pixel that lines cover which lie evenly on both sides of their edges.
+float4 middle_line_covers(float4 distance_, float4 width)
 {
-    bool local_3 = (bool)0;
+    float4 half_ = (0.5 * width);
+    return clamp((min((distance_ + (0.5).xxxx), half_) - max((distance_ - (0.5).xxxx), -(half_))), (0.0).xxxx, (1.0).xxxx);
+}
 
-    float error_1 = abs(((texel_1.z - own.depth) - dot(own.rise, offset_1)));
-    const float _e11 = object_in(texel_1.w);
-    const float _e13 = object_in(own.object);
-    if ((_e11 == _e13)) {
-        local_3 = (error_1 <= ((3.0 * own.tolerance) * max(length(offset_1), 1.0)));
+/// What a line of any kind covers of a pixel, by how much nearer than the reach the edges of each
+/// kind are: all lie evenly on both sides.
+float any_line_covers(float4 nearness, LineWidths widths, float reach)
+{
+    float4 near = clamp(bounded_vec4(nearness), (-(reach)).xxxx, (reach).xxxx);
+    const float4 widths_near_value = widths_near(near, widths);
+    float4 own = ((near != (0.0).xxxx) ? widths_near_value : (0.0).xxxx);
+    const float4 covers = middle_line_covers(((reach).xxxx - abs(near)), own);
+    return max(max(covers.x, covers.y), max(covers.z, covers.w));
+}
+
+/// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
+/// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
+/// objects and borders of materials or ids.
+float4 lines_cover(float4 nearness, float4 widths, float reach)
+{
+    float4 distance_ = ((reach).xxxx - nearness);
+    float4 covers = float4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
+    return ((nearness > (0.0).xxxx) ? covers : (0.0).xxxx);
+}
+
+/// True if a texel belongs to the surface of a plane, so many pixels away.
+bool is_same_surface(Plane own, float4 texel, float2 offset)
+{
+    bool local_5 = (bool)0;
+
+    float error = abs(((texel.z - own.depth) - dot(own.rise, offset)));
+    if ((object_in(texel.w) == object_in(own.object))) {
+        local_5 = (error <= ((3.0 * own.tolerance) * max(length(offset), 1.0)));
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool _e26 = local_3;
-    return _e26;
+    return local_5;
 }
 
 int naga_neg(int val) {
     return asint(-asuint(val));
 }
 
-float4 nearest_in_column(int2 pixel_2, Plane own_1, int reach_2)
+/// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row
+/// from the pixel; 0 for none, negative for a border of ids. `reach` is how far edges are looked
+/// for, in pixels; `of_all` if those of other surfaces count, too.
+float4 nearest_in_column(int2 pixel, Plane own, int reach, bool of_all)
 {
     float4 nearest = (1000000000.0).xxxx;
-    float4 codes_2 = (0.0).xxxx;
+    float4 codes = (0.0).xxxx;
     int row = (int)0;
+    bool local_6 = (bool)0;
 
-    int2 last_2 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    row = max(naga_neg(reach_2), naga_neg(pixel_2.y));
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    row = max(naga_neg(reach), naga_neg(pixel.y));
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e76 = row;
-            row = asint(asuint(_e76) + asuint(int(1)));
+        if (!loop_init) {
+            row = asint(asuint(row) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e20 = row;
-        if ((_e20 <= min(reach_2, asint(asuint(last_2.y) - asuint(pixel_2.y))))) {
+        loop_init = false;
+        if ((row <= min(reach, asint(asuint(last.y) - asuint(pixel.y))))) {
         } else {
             break;
         }
         {
-            int _e26 = row;
-            int2 at_1 = asint(asuint(pixel_2) + asuint(int2(int(0), _e26)));
-            float4 found = edges_2.Load(int3(at_1, int(0)));
+            int2 at = asint(asuint(pixel) + asuint(int2(int(0), row)));
+            float4 found = edges.Load(int3(at, int(0)));
             if (all((found == (0.0).xxxx))) {
                 continue;
             }
-            float4 _e39 = surface.Load(int3(at_1, int(0)));
-            int _e40 = row;
-            const bool _e44 = is_same_surface(own_1, _e39, float2(0.0, float(_e40)));
-            if (!(_e44)) {
+            if (!(of_all)) {
+                local_6 = !(is_same_surface(own, surface.Load(int3(at, int(0))), float2(0.0, float(row))));
+            } else {
+                local_6 = false;
+            }
+            if (local_6) {
                 continue;
             }
-            const EdgeLines _e49 = edges_of(found, 4096.0);
-            int _e52 = row;
-            const float4 _e55 = middle_distances(_e49, (0.0).xxxx, (float(_e52)).xxxx);
-            float4 distances_1 = ((found > (0.0).xxxx) ? _e55 : (1000000000.0).xxxx);
-            float4 _e60 = nearest;
-            bool4 is_nearer = (distances_1 < _e60);
-            float4 _e62 = nearest;
-            nearest = (is_nearer ? distances_1 : _e62);
-            float4 _e64 = codes_2;
-            const float4 _e65 = coarse_codes(found);
-            int _e66 = row;
-            codes_2 = (is_nearer ? (_e65 + ((262144.0 * (float(_e66) + 31.0))).xxxx) : _e64);
+            float4 fine = abs(found);
+            const float4 middle_distances_value = middle_distances(edges_of(fine, 4096.0), (0.0).xxxx, (float(row)).xxxx, of_all);
+            float4 distances = ((fine > (0.0).xxxx) ? middle_distances_value : (1000000000.0).xxxx);
+            bool4 is_nearer = (distances < nearest);
+            nearest = (is_nearer ? distances : nearest);
+            float4 coarse = (coarse_codes(fine) + ((262144.0 * (float(row) + 31.0))).xxxx);
+            codes = (is_nearer ? ((found < (0.0).xxxx) ? -(coarse) : coarse) : codes);
         }
     }
-    float4 _e78 = codes_2;
-    return _e78;
+    return codes;
 }
 
 int4 naga_f2i32(float4 value) {
     return int4(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 nearness_at(int2 pixel_3, Plane own_2)
+float4 nearness_at(int2 pixel, Plane own)
 {
-    float4 nearest_1 = (1000000000.0).xxxx;
+    float4 nearest = (1000000000.0).xxxx;
+    // Columns and rows of the nearest edges, from the pixel.
     float4 across = (0.0).xxxx;
     float4 down = (0.0).xxxx;
     int column = (int)0;
-    bool local_4 = (bool)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
 
-    int2 last_3 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float _e10 = curvature.viewport_height;
-    const float _e12 = line_reach(_e10, 16.0);
-    int reach_4 = naga_f2i32(_e12);
-    column = max(naga_neg(reach_4), naga_neg(pixel_3.x));
-    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
-    bool loop_init_2 = true;
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    int reach = naga_f2i32(line_reach(curvature.viewport_height, 16.0));
+    column = max(naga_neg(reach), naga_neg(pixel.x));
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e95 = column;
-            column = asint(asuint(_e95) + asuint(int(1)));
+        if (!loop_init) {
+            column = asint(asuint(column) + asuint(int(1)));
         }
-        loop_init_2 = false;
-        int _e28 = column;
-        if ((_e28 <= min(reach_4, asint(asuint(last_3.x) - asuint(pixel_3.x))))) {
+        loop_init = false;
+        if ((column <= min(reach, asint(asuint(last.x) - asuint(pixel.x))))) {
         } else {
             break;
         }
         {
-            int _e34 = column;
-            int2 at_2 = asint(asuint(pixel_3) + asuint(int2(_e34, int(0))));
-            float4 found_1 = columns_2.Load(int3(at_2, int(0)));
-            if (all((found_1 == (0.0).xxxx))) {
+            int2 at = asint(asuint(pixel) + asuint(int2(column, int(0))));
+            float4 found = columns.Load(int3(at, int(0)));
+            if (all((found == (0.0).xxxx))) {
                 continue;
             }
-            int _e45 = column;
-            if ((_e45 != int(0))) {
-                float4 _e52 = surface.Load(int3(at_2, int(0)));
-                int _e53 = column;
-                const bool _e57 = is_same_surface(own_2, _e52, float2(float(_e53), 0.0));
-                local_4 = !(_e57);
+            if (true) {
+                local_7 = (column != int(0));
             } else {
-                local_4 = false;
+                local_7 = false;
             }
-            bool _e60 = local_4;
-            if (_e60) {
+            if (local_7) {
+                local_8 = !(is_same_surface(own, surface.Load(int3(at, int(0))), float2(float(column), 0.0)));
+            } else {
+                local_8 = false;
+            }
+            if (local_8) {
                 continue;
             }
-            float4 rows_2 = floor((found_1 / (262144.0).xxxx));
-            const EdgeLines _e69 = edges_of((found_1 - (262144.0 * rows_2)), 512.0);
-            float4 places = (rows_2 - (31.0).xxxx);
-            int _e75 = column;
-            const float4 _e78 = middle_distances(_e69, (float(_e75)).xxxx, places);
-            float4 distances_2 = ((found_1 > (0.0).xxxx) ? _e78 : (1000000000.0).xxxx);
-            float4 _e83 = nearest_1;
-            bool4 is_nearer_1 = (distances_2 < _e83);
-            float4 _e85 = nearest_1;
-            nearest_1 = (is_nearer_1 ? distances_2 : _e85);
-            float4 _e87 = across;
-            int _e88 = column;
-            across = (is_nearer_1 ? (float(_e88)).xxxx : _e87);
-            float4 _e92 = down;
-            down = (is_nearer_1 ? places : _e92);
+            float4 coarse = abs(found);
+            float4 rows = floor((coarse / (262144.0).xxxx));
+            const EdgeLines lines = edges_of((coarse - (262144.0 * rows)), 512.0);
+            float4 places = (rows - (31.0).xxxx);
+            const float4 middle_distances_value = middle_distances(lines, (float(column)).xxxx, places, false);
+            float4 distances = ((coarse > (0.0).xxxx) ? middle_distances_value : (1000000000.0).xxxx);
+            bool4 is_nearer = (distances < nearest);
+            nearest = (is_nearer ? distances : nearest);
+            across = (is_nearer ? (float(column)).xxxx : across);
+            down = (is_nearer ? places : down);
         }
     }
-    float4 _e97 = nearest_1;
-    if (all((_e97 >= (1000000000.0).xxxx))) {
+    if (all((nearest >= (1000000000.0).xxxx))) {
         return (0.0).xxxx;
     }
-    float4 _e105 = across;
-    int4 x_30 = asint(asuint((pixel_3.x).xxxx) + asuint(naga_f2i32(_e105)));
-    float4 _e110 = down;
-    int4 y_14 = asint(asuint((pixel_3.y).xxxx) + asuint(naga_f2i32(_e110)));
-    float4 _e119 = edges_2.Load(int3(int2(x_30.x, y_14.x), int(0)));
-    float4 _e126 = edges_2.Load(int3(int2(x_30.y, y_14.y), int(0)));
-    float4 _e133 = edges_2.Load(int3(int2(x_30.z, y_14.z), int(0)));
-    float4 _e140 = edges_2.Load(int3(int2(x_30.w, y_14.w), int(0)));
-    float4 codes_3 = float4(_e119.x, _e126.y, _e133.z, _e140.w);
-    const EdgeLines _e144 = edges_of(codes_3, 4096.0);
-    float4 _e145 = across;
-    float4 _e146 = down;
-    const float4 _e147 = edge_distances(_e144, _e145, _e146);
-    float4 nearness_2 = clamp(((float(reach_4)).xxxx - _e147), (0.0).xxxx, (float(reach_4)).xxxx);
-    float4 _e158 = nearest_1;
-    return ((_e158 < (1000000000.0).xxxx) ? nearness_2 : (0.0).xxxx);
+    // The edge itself tells the distance in full.
+    int4 x = asint(asuint((pixel.x).xxxx) + asuint(naga_f2i32(across)));
+    int4 y = asint(asuint((pixel.y).xxxx) + asuint(naga_f2i32(down)));
+    float4 texel = edges.Load(int3(int2(x.y, y.y), int(0)));
+    float4 texel_1 = edges.Load(int3(int2(x.z, y.z), int(0)));
+    float4 texel_2 = edges.Load(int3(int2(x.w, y.w), int(0)));
+    float4 codes = float4(edges.Load(int3(int2(x.x, y.x), int(0))).x, texel.y, texel_1.z, texel_2.w);
+    const float4 distances_1 = edge_distances(edges_of(abs(codes), 4096.0), across, down, false);
+    float4 nearness = clamp(((float(reach)).xxxx - distances_1), (0.0).xxxx, (float(reach)).xxxx);
+    float4 near = ((nearest < (1000000000.0).xxxx) ? nearness : (0.0).xxxx);
+    return ((codes < (0.0).xxxx) ? -(near) : near);
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position
 {
-    const float4 _e1 = whole_picture(index);
-    return _e1;
+    return whole_picture(index);
 }
 
 int2 naga_f2i32(float2 value) {
@@ -1127,14 +1348,17 @@ int2 naga_f2i32(float2 value) {
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     float4 position = fragmentinput_fs_main.position_1;
-    int2 pixel_5 = naga_f2i32(position.xy);
-    const SeenPixel _e3 = seen_pixel(pixel_5);
-    float4 seen_1 = _e3.texel;
-    if ((seen_1.w == 0.0)) {
+    bool local = (bool)0;
+
+    int2 pixel = naga_f2i32(position.xy);
+    float4 seen = seen_pixel(pixel).texel;
+    if (true) {
+        local = (seen.w == 0.0);
+    } else {
+        local = false;
+    }
+    if (local) {
         return (0.0).xxxx;
     }
-    const float3 _e13 = normal_of(seen_1);
-    const Plane _e14 = plane_of(abs(seen_1.w), seen_1.z, _e13);
-    const float4 _e15 = nearness_at(pixel_5, _e14);
-    return _e15;
+    return nearness_at(pixel, plane_of(abs(seen.w), seen.z, normal_of(seen)));
 }

@@ -15,8 +15,6 @@ struct Object {
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
-    /// The alpha cutoff of the material, 0 for none.
-    cutoff: f32,
 }
 
 /// What is known before the fragment.
@@ -279,6 +277,12 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
+const OBJECTS = 4096.0;
+/// The number of an object in texels, from 1 on.
+fn object_number(object: f32) -> f32 {
+    return object - OBJECTS * floor(object / OBJECTS) + 1.0;
+}
+
 /// Output
 ///
 /// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
@@ -385,6 +389,57 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
     return min(half * half, 1.0);
 }
 
+/// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
+/// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
+/// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
+/// the pixel, so that its silhouette is there; one that lies behind has no line.
+fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels: f32,
+    reach: f32) -> vec4f {
+    let is_same_object = middle.y == object_number(object);
+    let behind = (depth - middle.x) * pixels;
+    // Slivers of the same surface are seen on the planes of their own triangles.
+    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0);
+    let is_in_front = behind < select(-2.0, -8.0, is_same_object);
+    let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
+    return select(other, nearness, is_own);
+}
+
+/// Widths of lines of each kind, in pixels.
+struct LineWidths {
+    /// Of silhouettes, creases, borders of objects and borders of materials.
+    kinds: vec4f,
+    /// Of borders of ids.
+    ids: f32,
+}
+
+/// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
+fn line_widths(width: f32, shares: vec4f, ids: f32) -> LineWidths {
+    let widths = min(width, 1e4) * shares;
+    return LineWidths(select(vec4f(0.0), widths, widths > vec4f(1e-6)), 0.0);
+}
+
+/// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
+/// `distance` pixels away, inward.
+fn inner_line_covers(distance: f32, width: f32) -> f32 {
+    return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
+}
+
+/// Share of a pixel that lines cover which lie evenly on both sides of their edges.
+fn middle_line_covers(distance: vec4f, width: vec4f) -> vec4f {
+    let half = 0.5 * width;
+    return clamp(min(distance + 0.5, half) - max(distance - 0.5, -half), vec4f(0.0), vec4f(1.0));
+}
+
+/// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
+/// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
+/// objects and borders of materials or ids.
+fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
+    let distance = reach - nearness;
+    let covers = vec4f(inner_line_covers(distance.x, widths.x),
+        middle_line_covers(distance, widths).yzw);
+    return select(vec4f(0.0), covers, nearness > vec4f(0.0));
+}
+
 /// Inner contour
 ///
 /// Lines within the outline that show the form, as a draftsman sets them: where a contour is
@@ -410,81 +465,42 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
         * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
-/// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
-/// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
-/// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
-/// the pixel, so that its silhouette is there; one that lies behind has no line.
-fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels: f32,
-    reach: f32) -> vec4f {
-    let is_same_object = middle.y == object + 1.0;
-    let behind = (depth - middle.x) * pixels;
-    // Slivers of the same surface are seen on the planes of their own triangles.
-    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0);
-    let is_in_front = behind < select(-2.0, -8.0, is_same_object);
-    let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
-    return select(other, nearness, is_own);
-}
-
-/// Widths of lines of each kind, in pixels: shares of one width.
-fn line_widths(width: f32, shares: vec4f) -> vec4f {
-    let widths = min(width, 1e4) * shares;
-    return select(vec4f(0.0), widths, widths > vec4f(1e-6));
-}
-
-/// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
-/// `distance` pixels away, inward.
-fn inner_line_covers(distance: f32, width: f32) -> f32 {
-    return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
-}
-
-/// Share of a pixel that lines cover which lie evenly on both sides of their edges.
-fn middle_line_covers(distance: vec3f, width: vec3f) -> vec3f {
-    let half = 0.5 * width;
-    return clamp(min(distance + 0.5, half) - max(distance - 0.5, -half), vec3f(0.0), vec3f(1.0));
-}
-
-/// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
-/// pixels (0 where none is), and by their widths in pixels: silhouettes, creases, borders of
-/// objects and borders of looks.
-fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
-    let distance = reach - nearness;
-    let covers = vec4f(inner_line_covers(distance.x, widths.x),
-        middle_line_covers(distance.yzw, widths.yzw));
-    return select(vec4f(0.0), covers, nearness > vec4f(0.0));
-}
-
 /// Outline
 ///
 /// Ink where forms end, fold and meet, as values to be drawn in any color: silhouettes, creases,
-/// borders of objects and borders of looks, each as wide as it is told. A silhouette is drawn by
-/// what lies in front, as wide as it is; where two surfaces meet, each draws its half of the line.
-/// Wire the width to a curvature, a tone or a noise and lines taper.
-fn outline_height(width: f32, silhouettes: f32, creases: f32, borders: f32, look_borders: f32,
-    nearness: vec4f, middle: vec2f, depth: f32, object: f32, viewport: vec2f, magnification: f32)
-    -> Outline {
+/// borders of objects, of materials and of ids, each as wide as it is told. A silhouette is drawn
+/// by what lies in front, as wide as it is; where two surfaces meet, each draws its half of the
+/// line. Wire the width to a curvature, a tone or a noise and lines taper.
+fn outline_height(width: f32, silhouettes: f32, creases: f32, borders: f32, material_borders: f32,
+    id_borders: f32, nearness: vec4f, middle: vec2f, depth: f32, object: f32, viewport: vec2f,
+    magnification: f32) -> Outline {
     let pixels = magnification * viewport.y;
     let reach = min(16.0 * max(round(viewport.y / 800.0), 1.0), 31.0);
     let own = own_nearness(nearness, middle, depth, object, pixels, reach);
-    let shares = vec4f(silhouettes, creases, borders, look_borders);
-    return drawn_outline(line_widths(width * (0.001 * viewport.y), shares), own, reach);
+    let shares = vec4f(silhouettes, creases, borders, material_borders);
+    let widths = line_widths(width * (0.001 * viewport.y), shares, id_borders);
+    return drawn_outline(widths, own, reach);
 }
 
 struct Outline {
     /// From 0 beside lines to 1 on them.
     line: f32,
     /// The line's kind where it is drawn: 1 a silhouette, 2 a crease, 3 a border of objects, 4 a
-    /// border of looks; 0 beside lines.
+    /// border of materials, 5 a border of ids; 0 beside lines.
     kind: f32,
     /// To the nearest edge of a kind that is drawn, in pixels; as far as lines reach where none is
     /// near.
     distance: f32,
 }
 
-fn drawn_outline(widths: vec4f, of_edges: vec4f, reach: f32) -> Outline {
-    let nearness = clamp(of_edges, vec4f(0.0), vec4f(reach));
+fn drawn_outline(line_widths: LineWidths, of_edges: vec4f, reach: f32) -> Outline {
+    let signed = clamp(of_edges, vec4f(-reach), vec4f(reach));
+    let nearness = abs(signed);
+    let widths = vec4f(line_widths.kinds.xyz, select(line_widths.kinds.w, 0.0, signed.w < 0.0));
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
-    var kind = select(4.0, 3.0, covers.z == line);
+    var kind = select(4.0, 5.0, signed.w < 0.0);
+    kind = select(kind, 3.0, covers.z == line);
     kind = select(kind, 2.0, covers.y == line);
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));
@@ -510,7 +526,7 @@ fn shade(surface: Surface) -> vec4f {
     let hand = noise_perlin(surface.position_object, 3.5, 2i, 0.5, 0i);
     let pressure = mix(0.7, 1.3, hand - 0.0);
     let width = heavy_in_the_shade * pressure;
-    let pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, surface.line_nearness,
+    let pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, 0.0, surface.line_nearness,
         surface.middle_surface, surface.depth, look.object_id, look.viewport,
         surface.magnification);
     let folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal,

@@ -2,24 +2,26 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1.
 // lantern.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -27,18 +29,27 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     float4 before;
     float4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
     int _end_pad_0;
     int _end_pad_1;
@@ -56,29 +67,8 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp glow = ConstructRamp(Constructarray16_float4_(float4(0.851, 0.4118, 0.1647, 1.0), float4(1.0, 0.7804, 0.3961, 1.0), float4(1.0, 0.9647, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.45, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), 3u, 0u);
+static const Ramp glow = {{float4(0.851, 0.4118, 0.1647, 1.0), float4(1.0, 0.7804, 0.3961, 1.0), float4(1.0, 0.9647, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.45, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 3u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -96,11 +86,15 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x)
 {
     uint bits = asuint(x);
@@ -109,22 +103,26 @@ float bounded(float x)
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value_1) : value_1);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 float3 oklab_of_linear(float3 rgb)
 {
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
@@ -133,34 +131,34 @@ float3 oklab_of_linear(float3 rgb)
     return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 _e23 = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_value;
 }
 
-float3 oklab_of_srgb_2_(float3 coded_1)
+/// [`oklab_of_linear`] of an sRGB-coded color.
+float3 oklab_of_srgb_2(float3 coded)
 {
-    const float3 _e17 = oklab_of_linear(float3(1.0, pow(((coded_1.y + 0.055) / 1.055), 2.4), pow(((coded_1.z + 0.055) / 1.055), 2.4)));
-    return _e17;
+    return oklab_of_linear(float3(1.0, pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
 }
 
-float3 srgb_of_oklab(float3 lab_1)
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+float3 srgb_of_oklab(float3 lab)
 {
-    const float3 _e1 = linear_of_oklab(lab_1);
-    const float _e3 = srgb_of_linear(_e1.x);
-    const float _e5 = srgb_of_linear(_e1.y);
-    const float _e7 = srgb_of_linear(_e1.z);
-    return float3(_e3, _e5, _e7);
+    const float3 light = linear_of_oklab(lab);
+    return float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -175,62 +173,47 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_1)
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
+RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e24 = i;
-            i = (_e24 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 3u))) {
+        if (!((i < 3u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e17 = i;
-        float _e21 = places[0][min(uint(naga_mod(_e17, 4u)), 3u)];
-        at = ((_e21 <= x_1) ? _e15 : _e14);
+        float places_now = places[0][min(uint(naga_mod(i, 4u)), 3u)];
+        at = ((places_now <= x) ? i : at);
     }
-    uint _e27 = at;
-    uint after = min((_e27 + 1u), 2u);
-    uint _e33 = at;
-    float place = places[0][min(uint(naga_mod(_e33, 4u)), 3u)];
-    float _e43 = places[0][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e45 = divided((x_1 - place), (_e43 - place));
-    float t = clamp(_e45, 0.0, 1.0);
-    uint _e49 = at;
-    float4 _e51 = colors[min(uint(_e49), 15u)];
-    float4 _e53 = colors[min(uint(after), 15u)];
-    const RampPlace rampplace = ConstructRampPlace(_e51, _e53, t);
+    uint after = min((at + 1u), 2u);
+    float place = places[0][min(uint(naga_mod(at, 4u)), 3u)];
+    float t = clamp(divided((x - place), (places[0][min(uint(naga_mod(after, 4u)), 3u)] - place)), 0.0, 1.0);
+    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
     return rampplace;
 }
 
-float4 ramp_oklab(float value, Ramp ramp_1)
+float4 ramp_oklab(float value, Ramp ramp)
 {
-    const RampPlace _e2 = ramp_place(ramp_1, value);
-    const float3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    const float3 _e8 = oklab_of_srgb_2_(_e2.after.xyz);
-    const float3 _e11 = srgb_of_oklab(lerp(_e5, _e8, _e2.t));
-    return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : float4(_e11, 1.0)));
+    const RampPlace place = ramp_place(ramp, value);
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
+    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const float4 _e8 = ramp_oklab(clamp(dot(surface.normal, surface.view), 0.0, 1.0), glow);
-    return _e8;
+    const float4 glow_2 = ramp_oklab(clamp(dot(surface.normal, surface.view), 0.0, 1.0), glow);
+    return glow_2;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -243,11 +226,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -263,11 +243,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view.eye;
-    float _e13 = view.eye.w;
-    Surface surface_1 = ConstructSurface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))));
-    const float4 _e19 = shade(surface_1);
-    return _e19;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    return shade(surface);
 }

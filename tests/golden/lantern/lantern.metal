@@ -13,15 +13,17 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -33,16 +35,25 @@ struct type_5 {
 struct type_6 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_5 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_6 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     metal::float4 before;
     metal::float4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
     char _pad3[12];
 };
@@ -58,12 +69,16 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp glow = Ramp {type_5 {{metal::float4(0.851, 0.4118, 0.1647, 1.0), metal::float4(1.0, 0.7804, 0.3961, 1.0), metal::float4(1.0, 0.9647, 0.8471, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.45, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 3u, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
     float x
 ) {
@@ -73,6 +88,7 @@ float bounded(
     return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// a / b; 0 where b is 0.
 float divided(
     float a,
     float b
@@ -80,18 +96,21 @@ float divided(
     if (metal::abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e7 = bounded(a / b);
-    return _e7;
+    return bounded(a / b);
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value_1) : value_1;
+    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
+    return (light < 0.0) ? -(value) : value;
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
@@ -101,47 +120,49 @@ metal::float3 oklab_of_linear(
     return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
+    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
-    return _e23;
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear_value;
 }
 
-metal::float3 oklab_of_srgb_2_(
-    metal::float3 coded_1
+/// [`oklab_of_linear`] of an sRGB-coded color.
+metal::float3 oklab_of_srgb_2(
+    metal::float3 coded
 ) {
-    metal::float3 _e17 = oklab_of_linear(metal::float3(1.0, metal::pow((coded_1.y + 0.055) / 1.055, 2.4), metal::pow((coded_1.z + 0.055) / 1.055, 2.4)));
-    return _e17;
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(1.0, metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear_value;
 }
 
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 metal::float3 srgb_of_oklab(
-    metal::float3 lab_1
+    metal::float3 lab
 ) {
-    metal::float3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return metal::float3(_e3, _e5, _e7);
+    metal::float3 light = linear_of_oklab(lab);
+    return metal::float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(
     Ramp ramp,
-    float x_1
+    float x
 ) {
     type_5 colors = {};
     type_6 places = {};
@@ -149,55 +170,39 @@ RampPlace ramp_place(
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e24 = i;
-            i = _e24 + 1u;
+            i = i + 1u;
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 3u))) {
+        if (!((i < 3u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e17 = i;
-        float _e21 = places.inner[0][naga_mod(_e17, 4u)];
-        at = (_e21 <= x_1) ? _e15 : _e14;
+        float places_now = places.inner[0][naga_mod(i, 4u)];
+        at = (places_now <= x) ? i : at;
     }
-    uint _e27 = at;
-    uint after = metal::min(_e27 + 1u, 2u);
-    uint _e33 = at;
-    float place = places.inner[0][naga_mod(_e33, 4u)];
-    float _e43 = places.inner[0][naga_mod(after, 4u)];
-    float _e45 = divided(x_1 - place, _e43 - place);
-    float t = metal::clamp(_e45, 0.0, 1.0);
-    uint _e49 = at;
-    metal::float4 _e51 = colors.inner[_e49];
-    metal::float4 _e53 = colors.inner[after];
-    return RampPlace {_e51, _e53, t};
+    uint after = metal::min(at + 1u, 2u);
+    float place = places.inner[0][naga_mod(at, 4u)];
+    float t = metal::clamp(divided(x - place, places.inner[0][naga_mod(after, 4u)] - place), 0.0, 1.0);
+    return RampPlace {colors.inner[at], colors.inner[after], t};
 }
 
 Color ramp_oklab(
     float value,
-    Ramp ramp_1
+    Ramp ramp
 ) {
-    RampPlace _e2 = ramp_place(ramp_1, value);
-    metal::float3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    metal::float3 _e8 = oklab_of_srgb_2_(_e2.after.xyz);
-    metal::float3 _e11 = srgb_of_oklab(metal::mix(_e5, _e8, _e2.t));
-    return (_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : metal::float4(_e11, 1.0));
+    RampPlace place = ramp_place(ramp, value);
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
+    return (place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface
 ) {
-    Color _e8 = ramp_oklab(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), glow);
-    return _e8;
+    Color glow_2 = ramp_oklab(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), glow);
+    return glow_2;
 }
 
 struct vs_mainInput {
@@ -215,11 +220,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -238,11 +240,8 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view.eye;
-    float _e13 = view.eye.w;
-    Surface surface_1 = Surface {normal, metal::normalize(_e8.xyz - (_e13 * in.position))};
-    metal::float4 _e19 = shade(surface_1);
-    return fs_mainOutput { _e19 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    return fs_mainOutput { shade(surface) };
 }

@@ -2,33 +2,40 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // lights-apart.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light moon;
     float moon_intensity;
@@ -92,24 +99,37 @@ struct Look {
     float4 lamps_azure_strength;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -123,20 +143,7 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
-static const ProfileShape lamps_moon_tone_shape = ConstructProfileShape(0.9358968, 0.35227424, 66.66917, 2.499803, 0.72, 0.014726315, 0.0063439487, 0u);
+static const ProfileShape lamps_moon_tone_shape = {0.9358968, 0.35227424, 66.66917, 2.499803, 0.72, 0.014726315, 0.0063439487, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -153,18 +160,22 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -174,15 +185,20 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white. Channels beyond 1e18 count as that.
 float4 limit_color(float4 color, float limit, float softness)
 {
     float3 c = clamp(color.xyz, (-1e18).xxx, (1e18).xxx);
@@ -203,45 +219,47 @@ Angle parametrization_diffuse_balanced(Light light, float3 normal)
     return angle_2;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) & (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_3)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float4 sum_of_lights_color(float4 value, float4 before_sum, float reach)
@@ -249,81 +267,51 @@ float4 sum_of_lights_color(float4 value, float4 before_sum, float reach)
     return ((reach > 0.0) ? float4((before_sum.xyz + value.xyz), 1.0) : before_sum);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Light _e3 = look.moon;
-    const Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
-    const float _e8 = profile_balanced(_e5, 0.0, lamps_moon_tone_shape);
-    float4 _e11 = look.lamps_moon_strength;
-    float4 lamps_moon_lit = (_e11 * float4((_e8).xxx, 1.0));
-    Light _e18 = look.violet;
-    const Angle _e20 = parametrization_diffuse_balanced(_e18, surface.normal);
-    const float _e23 = profile_balanced(_e20, 0.0, lamps_moon_tone_shape);
-    float4 _e26 = look.lamps_violet_strength;
-    float4 lamps_violet_lit = (_e26 * float4((_e23).xxx, 1.0));
-    Light _e33 = look.rose;
-    const Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
-    const float _e38 = profile_balanced(_e35, 0.0, lamps_moon_tone_shape);
-    float4 _e41 = look.lamps_rose_strength;
-    float4 lamps_rose_lit = (_e41 * float4((_e38).xxx, 1.0));
-    Light _e48 = look.amber;
-    const Angle _e50 = parametrization_diffuse_balanced(_e48, surface.normal);
-    const float _e53 = profile_balanced(_e50, 0.0, lamps_moon_tone_shape);
-    float4 _e56 = look.lamps_amber_strength;
-    float4 lamps_amber_lit = (_e56 * float4((_e53).xxx, 1.0));
-    Light _e63 = look.gold;
-    const Angle _e65 = parametrization_diffuse_balanced(_e63, surface.normal);
-    const float _e68 = profile_balanced(_e65, 0.0, lamps_moon_tone_shape);
-    float4 _e71 = look.lamps_gold_strength;
-    float4 lamps_gold_lit = (_e71 * float4((_e68).xxx, 1.0));
-    Light _e78 = look.coral;
-    const Angle _e80 = parametrization_diffuse_balanced(_e78, surface.normal);
-    const float _e83 = profile_balanced(_e80, 0.0, lamps_moon_tone_shape);
-    float4 _e86 = look.lamps_coral_strength;
-    float4 lamps_coral_lit = (_e86 * float4((_e83).xxx, 1.0));
-    Light _e93 = look.magenta;
-    const Angle _e95 = parametrization_diffuse_balanced(_e93, surface.normal);
-    const float _e98 = profile_balanced(_e95, 0.0, lamps_moon_tone_shape);
-    float4 _e101 = look.lamps_magenta_strength;
-    float4 lamps_magenta_lit = (_e101 * float4((_e98).xxx, 1.0));
-    Light _e108 = look.cobalt;
-    const Angle _e110 = parametrization_diffuse_balanced(_e108, surface.normal);
-    const float _e113 = profile_balanced(_e110, 0.0, lamps_moon_tone_shape);
-    float4 _e116 = look.lamps_cobalt_strength;
-    float4 lamps_cobalt_lit = (_e116 * float4((_e113).xxx, 1.0));
-    Light _e123 = look.turquoise;
-    const Angle _e125 = parametrization_diffuse_balanced(_e123, surface.normal);
-    const float _e128 = profile_balanced(_e125, 0.0, lamps_moon_tone_shape);
-    float4 _e131 = look.lamps_turquoise_strength;
-    float4 lamps_turquoise_lit = (_e131 * float4((_e128).xxx, 1.0));
-    Light _e138 = look.azure;
-    const Angle _e140 = parametrization_diffuse_balanced(_e138, surface.normal);
-    const float _e143 = profile_balanced(_e140, 0.0, lamps_moon_tone_shape);
-    float4 _e146 = look.lamps_azure_strength;
-    float4 lamps_azure_lit = (_e146 * float4((_e143).xxx, 1.0));
-    float _e164 = look.azure_intensity;
-    float4 lamps_azure_sum = ((_e164 > 0.0) ? float4(((0.0).xxx + lamps_azure_lit.xyz), 1.0) : float4(0.0, 0.0, 0.0, 1.0));
-    float _e170 = look.turquoise_intensity;
-    const float4 _e171 = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum, _e170);
-    float _e174 = look.cobalt_intensity;
-    const float4 _e175 = sum_of_lights_color(lamps_cobalt_lit, _e171, _e174);
-    float _e178 = look.magenta_intensity;
-    const float4 _e179 = sum_of_lights_color(lamps_magenta_lit, _e175, _e178);
-    float _e182 = look.coral_intensity;
-    const float4 _e183 = sum_of_lights_color(lamps_coral_lit, _e179, _e182);
-    float _e186 = look.gold_intensity;
-    const float4 _e187 = sum_of_lights_color(lamps_gold_lit, _e183, _e186);
-    float _e190 = look.amber_intensity;
-    const float4 _e191 = sum_of_lights_color(lamps_amber_lit, _e187, _e190);
-    float _e194 = look.rose_intensity;
-    const float4 _e195 = sum_of_lights_color(lamps_rose_lit, _e191, _e194);
-    float _e198 = look.violet_intensity;
-    const float4 _e199 = sum_of_lights_color(lamps_violet_lit, _e195, _e198);
-    float _e202 = look.moon_intensity;
-    const float4 _e203 = sum_of_lights_color(lamps_moon_lit, _e199, _e202);
-    float4 dark = (_e203 + float4(0.07, 0.05, 0.1, 1.0));
-    const float4 _e212 = limit_color(dark, 1.0, 0.4);
-    return float4(_e212.xyz, 1.0);
+    const Angle lamps_moon_angle = parametrization_diffuse_balanced(look.moon, surface.normal);
+    const float lamps_moon_tone = profile_balanced(lamps_moon_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_moon_lit = (look.lamps_moon_strength * float4((lamps_moon_tone).xxx, 1.0));
+    const Angle lamps_violet_angle = parametrization_diffuse_balanced(look.violet, surface.normal);
+    const float lamps_violet_tone = profile_balanced(lamps_violet_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_violet_lit = (look.lamps_violet_strength * float4((lamps_violet_tone).xxx, 1.0));
+    const Angle lamps_rose_angle = parametrization_diffuse_balanced(look.rose, surface.normal);
+    const float lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_rose_lit = (look.lamps_rose_strength * float4((lamps_rose_tone).xxx, 1.0));
+    const Angle lamps_amber_angle = parametrization_diffuse_balanced(look.amber, surface.normal);
+    const float lamps_amber_tone = profile_balanced(lamps_amber_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_amber_lit = (look.lamps_amber_strength * float4((lamps_amber_tone).xxx, 1.0));
+    const Angle lamps_gold_angle = parametrization_diffuse_balanced(look.gold, surface.normal);
+    const float lamps_gold_tone = profile_balanced(lamps_gold_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_gold_lit = (look.lamps_gold_strength * float4((lamps_gold_tone).xxx, 1.0));
+    const Angle lamps_coral_angle = parametrization_diffuse_balanced(look.coral, surface.normal);
+    const float lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_coral_lit = (look.lamps_coral_strength * float4((lamps_coral_tone).xxx, 1.0));
+    const Angle lamps_magenta_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
+    const float lamps_magenta_tone = profile_balanced(lamps_magenta_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_magenta_lit = (look.lamps_magenta_strength * float4((lamps_magenta_tone).xxx, 1.0));
+    const Angle lamps_cobalt_angle = parametrization_diffuse_balanced(look.cobalt, surface.normal);
+    const float lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_cobalt_lit = (look.lamps_cobalt_strength * float4((lamps_cobalt_tone).xxx, 1.0));
+    const Angle lamps_turquoise_angle = parametrization_diffuse_balanced(look.turquoise, surface.normal);
+    const float lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_turquoise_lit = (look.lamps_turquoise_strength * float4((lamps_turquoise_tone).xxx, 1.0));
+    const Angle lamps_azure_angle = parametrization_diffuse_balanced(look.azure, surface.normal);
+    const float lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
+    float4 lamps_azure_lit = (look.lamps_azure_strength * float4((lamps_azure_tone).xxx, 1.0));
+    float4 lamps_azure_sum = ((look.azure_intensity > 0.0) ? float4(((0.0).xxx + lamps_azure_lit.xyz), 1.0) : float4(0.0, 0.0, 0.0, 1.0));
+    const float4 lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum, look.turquoise_intensity);
+    const float4 lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum, look.cobalt_intensity);
+    const float4 lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum, look.magenta_intensity);
+    const float4 lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum, look.coral_intensity);
+    const float4 lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum, look.gold_intensity);
+    const float4 lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum, look.amber_intensity);
+    const float4 lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum, look.rose_intensity);
+    const float4 lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum, look.violet_intensity);
+    const float4 lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum, look.moon_intensity);
+    float4 dark = (lamps_moon_sum + float4(0.07, 0.05, 0.1, 1.0));
+    return float4(limit_color(dark, 1.0, 0.4).xyz, 1.0);
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -335,11 +323,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -354,9 +339,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_3);
-    const float4 _e7 = shade(surface_1);
-    return _e7;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal);
+    return shade(surface);
 }

@@ -13,21 +13,28 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light moon;
     float moon_intensity;
@@ -70,22 +77,35 @@ struct Look {
     metal::float4 lamps_turquoise_strength;
     metal::float4 lamps_azure_strength;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -98,120 +118,135 @@ struct Varyings {
 };
 constant ProfileShape lamps_moon_tone_shape = ProfileShape {1.0, 0.0, 1.6002629, 1.8073579, 0.0, 0.71386534, 0.30130044, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_1 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
     float x
 ) {
-    float _e1 = metal::dfdx(x);
-    float _e2 = metal::dfdy(x);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 float stairs_integral(
-    float x_1,
+    float x,
     float count
 ) {
-    float inside = metal::min(x_1, count);
+    float inside = metal::min(x, count);
     float stair = metal::min(metal::floor(inside), 5.0);
-    float beyond = metal::max(x_1 - count, 0.0);
+    float beyond = metal::max(x - count, 0.0);
     return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 5.0);
 }
 
-float stairs_integral_2_(
-    float x_2,
-    float count_1
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral_2(
+    float x,
+    float count
 ) {
-    float inside_1 = metal::max(x_2, 0.0);
-    float stair_1 = metal::floor(inside_1);
-    return (stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0;
+    float inside = metal::max(x, 0.0);
+    float stair = metal::floor(inside);
+    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0;
 }
 
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
 float stairs_filtered(
-    float x_3,
-    float count_2,
+    float x,
+    float count,
     float w
 ) {
     if (w <= 1.0) {
-        float edge = metal::clamp(metal::rint(x_3), 1.0, 5.0);
-        return (edge - 1.0) + metal::clamp(0.5 + ((x_3 - edge) / w), 0.0, 1.0);
+        float edge = metal::clamp(metal::rint(x), 1.0, 5.0);
+        return (edge - 1.0) + metal::clamp(0.5 + ((x - edge) / w), 0.0, 1.0);
     }
-    float half_1 = 0.5 * w;
-    float _e22 = stairs_integral(x_3 + half_1, count_2);
-    float _e24 = stairs_integral_2_(x_3 - half_1, count_2);
-    return (_e22 - _e24) / (2.0 * half_1);
+    float half_ = 0.5 * w;
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count)) / (2.0 * half_);
 }
 
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
 float linear_of_srgb(
     float coded
 ) {
     float size = metal::abs(coded);
-    float value_1 = (size <= 0.04045) ? (size / 12.92) : metal::pow((size + 0.055) / 1.055, 2.4);
-    return value_1;
+    float value = (size <= 0.04045) ? (size / 12.92) : metal::pow((size + 0.055) / 1.055, 2.4);
+    return value;
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(
     float light
 ) {
-    float size_1 = metal::abs(light);
-    float value_2 = (size_1 <= 0.0031308) ? (size_1 * 12.92) : ((1.055 * metal::pow(size_1, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value_2) : value_2;
+    float size = metal::abs(light);
+    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
+    return (light < 0.0) ? -(value) : value;
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
     float l = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
     float m = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s_2 = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s_2), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s_2), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s_2));
+    float s = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s_3 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_3 * s_3) * s_3);
+    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 metal::float3 srgb_of_oklab(
-    metal::float3 lab_1
+    metal::float3 lab
 ) {
-    metal::float3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return metal::float3(_e3, _e5, _e7);
+    metal::float3 light = linear_of_oklab(lab);
+    return metal::float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white. Channels beyond 1e18 count as that.
 Color limit_color(
     Color color,
     float limit,
@@ -228,31 +263,35 @@ Color limit_color(
     return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 2.0);
 }
 
+/// Posterize
+///
+/// Reduces a color to a few steps, as screen prints and old posters do. By lightness the hue stays
+/// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
+/// is the look of early computers.
 Color posterize_lightness(
-    Color color_1,
+    Color color,
     int steps,
-    float softness_1
+    float softness
 ) {
-    metal::float3 coded_1 = metal::clamp(color_1.xyz, metal::float3(0.0), metal::float3(1.0));
-    float _e10 = linear_of_srgb(coded_1.x);
-    float _e12 = linear_of_srgb(coded_1.y);
-    float _e14 = linear_of_srgb(coded_1.z);
-    metal::float3 _e16 = oklab_of_linear(metal::float3(_e10, _e12, _e14));
-    float _e25 = footprint_of(_e16.x);
-    float _e30 = stairs_filtered(6.0 * metal::clamp(_e16.x, 0.0, 1.0), 6.0, metal::length(metal::float2(6.0 * _e25, softness_1)));
-    float stepped = metal::clamp(_e30 / 5.0, 0.0, 1.0);
-    float kept = (_e16.x > 0.0001) ? (stepped / metal::max(_e16.x, 0.0001)) : 0.0;
-    metal::float3 _e50 = srgb_of_oklab(metal::float3(stepped, _e16.yz * metal::min(kept, 1.0)));
-    return metal::float4(metal::clamp(_e50, metal::float3(0.0), metal::float3(1.0)), 2.0);
+    metal::float3 coded = metal::clamp(color.xyz, metal::float3(0.0), metal::float3(1.0));
+    float linear_of_srgb_value = linear_of_srgb(coded.z);
+    metal::float3 lab = oklab_of_linear(metal::float3(linear_of_srgb(coded.x), linear_of_srgb(coded.y), linear_of_srgb_value));
+    float footprint_of_value = footprint_of(lab.x);
+    float stairs_filtered_value = stairs_filtered(6.0 * metal::clamp(lab.x, 0.0, 1.0), 6.0, metal::length(metal::float2(6.0 * footprint_of_value, softness)));
+    float stepped = metal::clamp(stairs_filtered_value / 5.0, 0.0, 1.0);
+    float kept = (lab.x > 0.0001) ? (stepped / metal::max(lab.x, 0.0001)) : 0.0;
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::float3(stepped, lab.yz * metal::min(kept, 1.0)));
+    return metal::float4(metal::clamp(srgb_of_oklab_value, metal::float3(0.0), metal::float3(1.0)), 2.0);
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -261,32 +300,32 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_1
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2(u_2.half_sin - 0.0, u_2.half_cos);
-    float _e9 = profile_soft_quick(place.x, shape_1);
-    if (w_1 < (0.1 * shape_1.edge_deviation)) {
-        return _e9;
+    metal::float2 place = metal::float2(u.half_sin - 0.0, u.half_cos);
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e35 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_1);
-    float _e43 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_1);
-    return (((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 Color sum_of_lights_color(
@@ -297,84 +336,54 @@ Color sum_of_lights_color(
     return (reach > 0.0) ? metal::float4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light _e3 = look.moon;
-    Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
-    float _e8 = profile_balanced(_e5, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e11 = look.lamps_moon_strength;
-    metal::float4 lamps_moon_lit = _e11 * metal::float4(metal::float3(_e8), 1.0);
-    Light _e18 = look.violet;
-    Angle _e20 = parametrization_diffuse_balanced(_e18, surface.normal);
-    float _e23 = profile_balanced(_e20, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e26 = look.lamps_violet_strength;
-    metal::float4 lamps_violet_lit = _e26 * metal::float4(metal::float3(_e23), 1.0);
-    Light _e33 = look.rose;
-    Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
-    float _e38 = profile_balanced(_e35, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e41 = look.lamps_rose_strength;
-    metal::float4 lamps_rose_lit = _e41 * metal::float4(metal::float3(_e38), 1.0);
-    Light _e48 = look.amber;
-    Angle _e50 = parametrization_diffuse_balanced(_e48, surface.normal);
-    float _e53 = profile_balanced(_e50, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e56 = look.lamps_amber_strength;
-    metal::float4 lamps_amber_lit = _e56 * metal::float4(metal::float3(_e53), 1.0);
-    Light _e63 = look.gold;
-    Angle _e65 = parametrization_diffuse_balanced(_e63, surface.normal);
-    float _e68 = profile_balanced(_e65, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e71 = look.lamps_gold_strength;
-    metal::float4 lamps_gold_lit = _e71 * metal::float4(metal::float3(_e68), 1.0);
-    Light _e78 = look.coral;
-    Angle _e80 = parametrization_diffuse_balanced(_e78, surface.normal);
-    float _e83 = profile_balanced(_e80, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e86 = look.lamps_coral_strength;
-    metal::float4 lamps_coral_lit = _e86 * metal::float4(metal::float3(_e83), 1.0);
-    Light _e93 = look.magenta;
-    Angle _e95 = parametrization_diffuse_balanced(_e93, surface.normal);
-    float _e98 = profile_balanced(_e95, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e101 = look.lamps_magenta_strength;
-    metal::float4 lamps_magenta_lit = _e101 * metal::float4(metal::float3(_e98), 1.0);
-    Light _e108 = look.cobalt;
-    Angle _e110 = parametrization_diffuse_balanced(_e108, surface.normal);
-    float _e113 = profile_balanced(_e110, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e116 = look.lamps_cobalt_strength;
-    metal::float4 lamps_cobalt_lit = _e116 * metal::float4(metal::float3(_e113), 1.0);
-    Light _e123 = look.turquoise;
-    Angle _e125 = parametrization_diffuse_balanced(_e123, surface.normal);
-    float _e128 = profile_balanced(_e125, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e131 = look.lamps_turquoise_strength;
-    metal::float4 lamps_turquoise_lit = _e131 * metal::float4(metal::float3(_e128), 1.0);
-    Light _e138 = look.azure;
-    Angle _e140 = parametrization_diffuse_balanced(_e138, surface.normal);
-    float _e143 = profile_balanced(_e140, 0.0, lamps_moon_tone_shape);
-    metal::float4 _e146 = look.lamps_azure_strength;
-    metal::float4 lamps_azure_lit = _e146 * metal::float4(metal::float3(_e143), 1.0);
-    float _e164 = look.azure_intensity;
-    metal::float4 lamps_azure_sum = (_e164 > 0.0) ? metal::float4(metal::float3(0.0) + lamps_azure_lit.xyz, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
-    float _e170 = look.turquoise_intensity;
-    Color _e171 = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum, _e170);
-    float _e174 = look.cobalt_intensity;
-    Color _e175 = sum_of_lights_color(lamps_cobalt_lit, _e171, _e174);
-    float _e178 = look.magenta_intensity;
-    Color _e179 = sum_of_lights_color(lamps_magenta_lit, _e175, _e178);
-    float _e182 = look.coral_intensity;
-    Color _e183 = sum_of_lights_color(lamps_coral_lit, _e179, _e182);
-    float _e186 = look.gold_intensity;
-    Color _e187 = sum_of_lights_color(lamps_gold_lit, _e183, _e186);
-    float _e190 = look.amber_intensity;
-    Color _e191 = sum_of_lights_color(lamps_amber_lit, _e187, _e190);
-    float _e194 = look.rose_intensity;
-    Color _e195 = sum_of_lights_color(lamps_rose_lit, _e191, _e194);
-    float _e198 = look.violet_intensity;
-    Color _e199 = sum_of_lights_color(lamps_violet_lit, _e195, _e198);
-    float _e202 = look.moon_intensity;
-    Color _e203 = sum_of_lights_color(lamps_moon_lit, _e199, _e202);
-    Color dark = (_e203 * metal::float4(0.44, 0.44, 0.44, 1.0)) + metal::float4(0.07, 0.05, 0.1, 1.0);
-    Color _e218 = posterize_lightness(dark, 6, 0.04);
-    Color _e221 = limit_color(_e218, 1.0, 0.4);
-    return metal::float4(_e221.xyz, 1.0);
+    Angle lamps_moon_angle = parametrization_diffuse_balanced(look.moon, surface.normal);
+    float lamps_moon_tone = profile_balanced(lamps_moon_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_moon_lit = look.lamps_moon_strength * metal::float4(metal::float3(lamps_moon_tone), 1.0);
+    Angle lamps_violet_angle = parametrization_diffuse_balanced(look.violet, surface.normal);
+    float lamps_violet_tone = profile_balanced(lamps_violet_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_violet_lit = look.lamps_violet_strength * metal::float4(metal::float3(lamps_violet_tone), 1.0);
+    Angle lamps_rose_angle = parametrization_diffuse_balanced(look.rose, surface.normal);
+    float lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_rose_lit = look.lamps_rose_strength * metal::float4(metal::float3(lamps_rose_tone), 1.0);
+    Angle lamps_amber_angle = parametrization_diffuse_balanced(look.amber, surface.normal);
+    float lamps_amber_tone = profile_balanced(lamps_amber_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_amber_lit = look.lamps_amber_strength * metal::float4(metal::float3(lamps_amber_tone), 1.0);
+    Angle lamps_gold_angle = parametrization_diffuse_balanced(look.gold, surface.normal);
+    float lamps_gold_tone = profile_balanced(lamps_gold_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_gold_lit = look.lamps_gold_strength * metal::float4(metal::float3(lamps_gold_tone), 1.0);
+    Angle lamps_coral_angle = parametrization_diffuse_balanced(look.coral, surface.normal);
+    float lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_coral_lit = look.lamps_coral_strength * metal::float4(metal::float3(lamps_coral_tone), 1.0);
+    Angle lamps_magenta_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
+    float lamps_magenta_tone = profile_balanced(lamps_magenta_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_magenta_lit = look.lamps_magenta_strength * metal::float4(metal::float3(lamps_magenta_tone), 1.0);
+    Angle lamps_cobalt_angle = parametrization_diffuse_balanced(look.cobalt, surface.normal);
+    float lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_cobalt_lit = look.lamps_cobalt_strength * metal::float4(metal::float3(lamps_cobalt_tone), 1.0);
+    Angle lamps_turquoise_angle = parametrization_diffuse_balanced(look.turquoise, surface.normal);
+    float lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_turquoise_lit = look.lamps_turquoise_strength * metal::float4(metal::float3(lamps_turquoise_tone), 1.0);
+    Angle lamps_azure_angle = parametrization_diffuse_balanced(look.azure, surface.normal);
+    float lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
+    metal::float4 lamps_azure_lit = look.lamps_azure_strength * metal::float4(metal::float3(lamps_azure_tone), 1.0);
+    metal::float4 lamps_azure_sum = (look.azure_intensity > 0.0) ? metal::float4(metal::float3(0.0) + lamps_azure_lit.xyz, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
+    Color lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum, look.turquoise_intensity);
+    Color lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum, look.cobalt_intensity);
+    Color lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum, look.magenta_intensity);
+    Color lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum, look.coral_intensity);
+    Color lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum, look.gold_intensity);
+    Color lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum, look.amber_intensity);
+    Color lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum, look.rose_intensity);
+    Color lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum, look.violet_intensity);
+    Color lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum, look.moon_intensity);
+    Color dark = (lamps_moon_sum * metal::float4(0.44, 0.44, 0.44, 1.0)) + metal::float4(0.07, 0.05, 0.1, 1.0);
+    Color limit = limit_color(posterize_lightness(dark, 6, 0.04), 1.0, 0.4);
+    return metal::float4(limit.xyz, 1.0);
 }
 
 struct vs_mainInput {
@@ -391,11 +400,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e14 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -413,9 +419,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal_1};
-    metal::float4 _e7 = shade(surface_1, look);
-    return fs_mainOutput { _e7 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -1,6 +1,6 @@
 // Light where it is wanted: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_3 buffer(0), object buffer(1), look buffer(2), curvature_tensor_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_tensor_map texture(0).
 // local-control.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,21 +13,28 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float3x3 camera_from_world;
     metal::float2 viewport;
@@ -35,6 +42,7 @@ struct Look {
     Light back;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -44,18 +52,30 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -71,6 +91,8 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape soft_tone_shape = ProfileShape {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u};
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -79,33 +101,39 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_1 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
     float x
 ) {
@@ -115,54 +143,52 @@ float bounded(
     return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_1,
+    float x,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_1);
-    float _e7 = bounded((_e3 - low) / (high - low));
-    float t_1 = metal::clamp(_e7, 0.0, 1.0);
-    return (t_1 * t_1) * (3.0 - (2.0 * t_1));
+    float t = metal::clamp(bounded((bounded(x) - low) / (high - low)), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// The length of v, also where its square would over- or underflow.
 float length_of(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    float largest_1 = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest_1 < SMALLEST_NORMAL) {
+    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
+    if (largest < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e16 = bounded(largest_1 * metal::length(v_2 / metal::float3(largest_1)));
-    return _e16;
+    return bounded(largest * metal::length(v / metal::float3(largest)));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
-    return _e6;
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return bounded(metal::sqrt(metal::dot(d, d)));
 }
 
-float footprint_of_2_(
-    float x_3
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(
+    float x
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_1, d_1));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(
-    float x_4,
+    float x,
     float edge,
     float w
 ) {
-    float d_2 = x_4 - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
+    float d = x - edge;
+    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
 }
 
 Composite blend_alpha(
@@ -175,16 +201,20 @@ Composite blend_alpha(
     return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
-Composite blend_alpha_2_(
-    Composite below_1,
-    Color color_1,
-    float tone_1,
-    float opacity_1,
-    bool clamped_1
+Composite blend_alpha_2(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Local light
+///
+/// Bends a light and changes its strength around a place on the surface, and leaves it as it is
+/// elsewhere: light as an artist wants it to fall, where the real one would not.
 Light local_light(
     Light light,
     metal::float3 bend,
@@ -194,15 +224,14 @@ Light local_light(
     float hardness,
     metal::float3 position
 ) {
-    float _e8 = length_of(position - center);
-    float _e10 = eased(_e8, radius * hardness, radius);
-    float weight = 1.0 - _e10;
+    float weight = 1.0 - eased(length_of(position - center), radius * hardness, radius);
     metal::float3 bent = light.direction + (weight * bend);
-    metal::float3 _e18 = normalize_moderate(bent, light.direction);
-    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001) & (weight > 0.0)) ? _e18 : light.direction;
+    metal::float3 normalize_moderate_value = normalize_moderate(bent, light.direction);
+    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001) & (weight > 0.0)) ? normalize_moderate_value : light.direction;
     return Light {direction, light.own_direction, light.color, metal::min(light.intensity, 1000000000000000000000000000000.0)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -211,36 +240,40 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_1
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2(u_2.half_sin - 0.0, u_2.half_cos);
-    float _e9 = profile_soft_quick(place_1.x, shape_1);
-    if (w_1 < (0.1 * shape_1.edge_deviation)) {
-        return _e9;
+    metal::float2 place = metal::float2(u.half_sin - 0.0, u.half_cos);
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e35 = profile_soft_quick((place_1.x * turn.y) - (place_1.y * turn.x), shape_1);
-    float _e43 = profile_soft_quick((place_1.x * turn.y) + (place_1.y * turn.x), shape_1);
-    return (((5.0 * _e35) + (8.0 * _e9)) + (5.0 * _e43)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
 float rim(
-    Light light_1,
+    Light light,
     metal::float3 normal,
     metal::float3 view,
     float width,
@@ -248,93 +281,88 @@ float rim(
     float follow
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float _e11 = footprint_of_2_(facing);
-    float edge_1 = metal::max(width * softness, metal::min(_e11, 1.0));
+    float edge = metal::max(width * softness, metal::min(footprint_of_2(facing), 1.0));
     metal::float3 aside = normal - view;
     float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
-    float within = (further / edge_1) + 0.0;
+    float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light_1.direction - (metal::dot(light_1.direction, view) * view);
+    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
     float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
+/// Inner contour
+///
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
 float inner_contour_suggestive(
-    float width_1,
+    float width,
     float limit,
-    float softness_1,
+    float softness,
     metal::float3 tensor,
-    metal::float3 normal_1,
-    metal::float3 view_1,
+    metal::float3 normal,
+    metal::float3 view,
     metal::float3x3 camera_from_world,
     metal::float3 place,
     metal::float2 viewport
 ) {
-    metal::float3 n = camera_from_world * normal_1;
-    float square_1 = metal::dot(n.xy, n.xy);
-    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
-    float _e35 = metal::dfdx(radial);
-    float _e36 = metal::dfdy(radial);
-    metal::float2 change = metal::float2(_e35, _e36);
-    metal::float3 v_3 = camera_from_world * view_1;
+    metal::float3 n = camera_from_world * normal;
+    float square = metal::dot(n.xy, n.xy);
+    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square, 0.000001);
+    metal::float2 change = metal::float2(metal::dfdx(radial), metal::dfdy(radial));
+    metal::float3 v = camera_from_world * view;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
+    float up = ((row - (metal::dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
     float pixels = height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float x_5 = (toward_eye * height) * 0.05;
-    float _e77 = footprint_of(x_5);
-    float strength_1 = metal::clamp(0.5 + ((x_5 - limit) / metal::length(metal::float2(metal::min(_e77, 1000000000000000.0), limit * softness_1))), 0.0, 1.0);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength_1) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
+    float x = (toward_eye * height) * 0.05;
+    float footprint_of_value = footprint_of(x);
+    float strength = metal::clamp(0.5 + ((x - limit) / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), limit * softness))), 0.0, 1.0);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(
-    float width_2,
-    metal::float3 normal_2,
-    metal::float3 view_2,
-    metal::float2 viewport_1
+    float width,
+    metal::float3 normal,
+    metal::float3 view,
+    metal::float2 viewport
 ) {
-    float facing_1 = metal::clamp(metal::dot(normal_2, view_2), 0.0, 1.0);
-    float pixels_1 = (width_2 * metal::clamp(viewport_1.y, 1.0, 100000.0)) / 1000.0;
-    float _e15 = footprint_of_2_(facing_1);
-    float distance_1 = facing_1 / metal::max(2.0 * _e15, 0.000001);
-    float near = 1.0 - metal::smoothstep(0.45, 0.75, facing_1);
-    return metal::clamp((pixels_1 + 0.5) - distance_1, 0.0, metal::min(pixels_1, 1.0)) * near;
+    float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
+    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float distance = facing / metal::max(2.0 * footprint_of_2(facing), 0.000001);
+    float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
+    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    Light _e16 = local_light(_e3, metal::float3(0.9, 0.25, 0.5), 1.0, metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
-    Light _e29 = local_light(_e16, metal::float3(0.4, 0.1, 0.35), 1.0, metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
-    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - _e29.direction), 0.5 * metal::length(surface.normal + _e29.direction)};
-    float _e45 = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    float _e52 = length_of(surface.position_object - metal::float3(0.0, 0.02, 0.45));
-    float _e55 = eased(_e52, 0.03, 0.3);
-    float shadow_under_the_chin = metal::clamp(_e45 + ((1.0 - _e55) * -0.45), 0.0, 1.0);
-    float _e70 = length_of(surface.position_object - metal::float3(-0.2, 0.72, 0.4));
-    float _e73 = eased(_e70, 0.085, 0.17);
-    float glint_on_the_brow = metal::clamp(shadow_under_the_chin + ((1.0 - _e73) * 0.5), 0.0, 1.0);
-    float _e83 = footprint_of_2_(glint_on_the_brow);
-    float _e87 = step_filtered(glint_on_the_brow, 0.55, metal::length(metal::float2(_e83, 0.0)));
-    Composite _e100 = blend_alpha(metal::float4(0.36, 0.36, 0.6, 1.0), metal::float4(0.96, 0.72, 0.47, 1.0), _e87, 1.0, true);
-    float _e102 = footprint_of_2_(glint_on_the_brow);
-    float _e106 = step_filtered(glint_on_the_brow, 0.97, metal::length(metal::float2(_e102, 0.0)));
-    metal::float4 brightest_light = metal::min(metal::float4(_e100.xyz + (_e106 * (metal::float3(1.0, 0.93, 0.76) - _e100.xyz)), 1.0), metal::float4(1.0));
-    Light _e123 = look.back;
-    float _e129 = rim(_e123, surface.normal, surface.view, 0.3, 0.1, 1.0);
-    Composite _e137 = blend_alpha_2_(brightest_light, metal::float4(0.72, 0.86, 1.0, 1.0), _e129, 0.7, true);
-    metal::float3x3 _e146 = look.camera_from_world;
-    metal::float2 _e150 = look.viewport;
-    float _e151 = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, _e146, surface.position_camera, _e150);
-    metal::float2 _e157 = look.viewport;
-    float _e158 = outer_contour(3.0, surface.normal, surface.view, _e157);
-    float all_lines = metal::max(_e158, _e151);
-    Composite _e167 = blend_alpha_2_(_e137, metal::float4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
-    return _e167;
+    Light turned_to_the_face = local_light(look.key, metal::float3(0.9, 0.25, 0.5), 1.0, metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    Light around_the_belly = local_light(turned_to_the_face, metal::float3(0.4, 0.1, 0.35), 1.0, metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - around_the_belly.direction), 0.5 * metal::length(surface.normal + around_the_belly.direction)};
+    float soft_tone = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
+    float eased_value = eased(length_of(surface.position_object - metal::float3(0.0, 0.02, 0.45)), 0.03, 0.3);
+    float shadow_under_the_chin = metal::clamp(soft_tone + ((1.0 - eased_value) * -0.45), 0.0, 1.0);
+    float eased_value_1 = eased(length_of(surface.position_object - metal::float3(-0.2, 0.72, 0.4)), 0.085, 0.17);
+    float glint_on_the_brow = metal::clamp(shadow_under_the_chin + ((1.0 - eased_value_1) * 0.5), 0.0, 1.0);
+    float lit = step_filtered(glint_on_the_brow, 0.55, metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
+    Composite light = blend_alpha(metal::float4(0.36, 0.36, 0.6, 1.0), metal::float4(0.96, 0.72, 0.47, 1.0), lit, 1.0, true);
+    float brightest = step_filtered(glint_on_the_brow, 0.97, metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
+    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + (brightest * (metal::float3(1.0, 0.93, 0.76) - light.xyz)), 1.0), metal::float4(1.0));
+    float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.1, 1.0);
+    Composite rim_s_light = blend_alpha_2(brightest_light, metal::float4(0.72, 0.86, 1.0, 1.0), rim_2, 0.7, true);
+    float folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    float all_lines = metal::max(outer_contour(3.0, surface.normal, surface.view, look.viewport), folds);
+    Composite lines = blend_alpha_2(rim_s_light, metal::float4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
+    return lines;
 }
 
 struct vs_mainInput {
@@ -349,15 +377,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_3 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_3 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_3.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -378,18 +403,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_3 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_3 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_3.eye;
-    float _e13 = view_3.eye.w;
-    metal::float4x4 _e21 = view_3.camera_from_world;
-    metal::float4 _e32 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, (_e21 * metal::float4(in.position, 1.0)).xyz, _e32.xyz};
-    metal::float4 _e35 = shade(surface_1, look);
-    return fs_mainOutput { _e35 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, texel.xyz};
+    return fs_mainOutput { shade(surface, look) };
 }

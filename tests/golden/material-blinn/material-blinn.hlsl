@@ -1,38 +1,46 @@
 // Blinn-Phong: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_3 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // material-blinn.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -40,11 +48,15 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
+/// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
     float n_l;
     float n_v;
     float n_h;
     float v_h;
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a
+    /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
 
@@ -59,10 +71,10 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const float LN_2_ = 0.6931472;
+static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
 
-cbuffer view_3 : register(b0) { View view_3; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -83,6 +95,8 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
@@ -92,51 +106,59 @@ float exp2_stable(float x)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_1)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_1);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1)
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y)
 {
-    if ((y_1 < 0.25)) {
-        const float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    const float _e7 = log2_stable((1.0 - y_1));
-    return (LN_2_ * _e7);
+    return (LN_2 * log2_stable((1.0 - y)));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
     float3 half_ = (light + view);
-    const float3 _e8 = normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
-    return _e8;
+    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
 }
 
+/// The square of the sine between two unit vectors.
 float sine_squared(float3 a, float3 b)
 {
     float3 across = cross(a, b);
@@ -153,49 +175,49 @@ Reflection ConstructReflection(float arg0, float arg1, float arg2, float arg3, f
     return ret;
 }
 
-Reflection reflection_of(float3 light_1, float3 normal_1, float3 view_1)
+/// The directions' cosines; the half-vector is the normal where light and eye are opposite.
+Reflection reflection_of(float3 light, float3 normal, float3 view)
 {
-    const float3 _e3 = half_of(light_1, normal_1, view_1);
-    float n_h = clamp(dot(normal_1, _e3), 0.0, 1.0);
-    float v_h = clamp(dot(view_1, _e3), 0.0, 1.0);
-    const float _e14 = sine_squared(normal_1, _e3);
-    const Reflection reflection = ConstructReflection(dot(normal_1, light_1), dot(normal_1, view_1), n_h, v_h, _e14);
+    const float3 half_ = half_of(light, normal, view);
+    float n_h = clamp(dot(normal, half_), 0.0, 1.0);
+    float v_h = clamp(dot(view, half_), 0.0, 1.0);
+    const float sine_squared_value = sine_squared(normal, half_);
+    const Reflection reflection = ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
     return reflection;
 }
 
-float cosine_power(float cosine, float sine2_, float exponent)
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
+float cosine_power(float cosine, float sine2, float exponent)
 {
     if ((cosine < 0.7)) {
         return pow(cosine, exponent);
     }
-    const float _e12 = log1p_negative(min(sine2_, 0.6));
-    const float _e14 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e12));
-    return _e14;
+    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
 }
 
-float reflectance_half_lambert(Light light_2, float3 normal_2)
+float reflectance_half_lambert(Light light, float3 normal)
 {
-    float half_1 = (0.5 + (0.5 * dot(normal_2, light_2.direction)));
-    return min((half_1 * half_1), 1.0);
+    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
+    return min((half_ * half_), 1.0);
 }
 
-float reflectance_blinn_phong(Light light_3, float3 normal_3, float3 view_2, float roughness)
+float reflectance_blinn_phong(Light light, float3 normal, float3 view, float roughness)
 {
-    const Reflection _e5 = reflection_of(light_3.direction, normal_3, view_2);
+    const Reflection r = reflection_of(light.direction, normal, view);
     float width = (roughness * roughness);
     float e = ((2.0 / (width * width)) - 2.0);
-    const float _e14 = cosine_power(_e5.n_h, _e5.sine2_, e);
-    return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
+    const float shine = cosine_power(r.n_h, r.sine2_, e);
+    return (((0.125 * (e + 8.0)) * shine) * max(r.n_l, 0.0));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Light _e3 = look.key;
-    const float _e5 = reflectance_half_lambert(_e3, surface.normal);
-    float4 body = min(float4((float3(0.1647, 0.102, 0.0706) + (_e5 * float3(0.851, 0.5412, 0.1686))), 1.0), (1.0).xxxx);
-    Light _e23 = look.key;
-    const float _e27 = reflectance_blinn_phong(_e23, surface.normal, surface.view, 0.38);
-    float4 highlight = clamp(float4((body.xyz + (0.3 * ((body.xyz + (_e27 * float3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float half_lambert = reflectance_half_lambert(look.key, surface.normal);
+    float4 body = min(float4((float3(0.1647, 0.102, 0.0706) + (half_lambert * float3(0.851, 0.5412, 0.1686))), 1.0), (1.0).xxxx);
+    const float blinn_phong = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.38);
+    float4 highlight = clamp(float4((body.xyz + (0.3 * ((body.xyz + (blinn_phong * float3(1.0, 0.9529, 0.8627))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return highlight;
 }
 
@@ -209,11 +231,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_3.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -229,11 +248,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_6 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_3.eye;
-    float _e13 = view_3.eye.w;
-    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))));
-    const float4 _e19 = shade(surface_1);
-    return _e19;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    return shade(surface);
 }

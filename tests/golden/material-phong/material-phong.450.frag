@@ -6,17 +6,25 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -26,7 +34,7 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LN_2_ = 0.6931472;
+const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -37,95 +45,103 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
-    float clamped_1 = max(x, -126.0);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = max(x, -126.0);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1) {
-    if ((y_1 < 0.25)) {
-        float _e3 = log1p_negative_small(y_1);
-        return _e3;
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y) {
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    float _e7 = log2_stable((1.0 - y_1));
-    return (LN_2_ * _e7);
+    return (LN_2 * log2_stable((1.0 - y)));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * vec3(1.0))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
+/// The square of the sine between two unit vectors.
 float sine_squared(vec3 a, vec3 b) {
     vec3 across = cross(a, b);
     return min(dot(across, across), 1.0);
 }
 
-float cosine_power(float cosine, float sine2_, float exponent) {
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
+float cosine_power(float cosine, float sine2, float exponent) {
     if ((cosine < 0.7)) {
         return pow(max(cosine, 0.0), exponent);
     }
-    float _e14 = log1p_negative(min(sine2_, 0.6));
-    float _e16 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e14));
-    return _e16;
+    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
 }
 
 float reflectance_phong(Light light, vec3 normal, vec3 view, float roughness) {
     float width = (roughness * roughness);
     float e = ((2.0 / (width * width)) - 2.0);
     float n_l = max(dot(normal, light.direction), 0.0);
-    vec3 _e19 = normalize_moderate((((2.0 * dot(normal, view)) * normal) - view), normal);
-    float _e23 = sine_squared(_e19, light.direction);
-    float _e24 = cosine_power(dot(_e19, light.direction), _e23, e);
-    return (((0.5 * (e + 2.0)) * _e24) * n_l);
+    vec3 mirrored = normalize_moderate((((2.0 * dot(normal, view)) * normal) - view), normal);
+    float shine = cosine_power(dot(mirrored, light.direction), sine_squared(mirrored, light.direction), e);
+    return (((0.5 * (e + 2.0)) * shine) * n_l);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    float lambert = max(dot(surface.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, u_look.key.direction), 0.0);
     vec4 body = vec4((vec3(0.1647, 0.0706, 0.1255) + (lambert * vec3(0.7608, 0.2314, 0.2275))), 1.0);
-    Light _e23 = u_look.key;
-    float _e27 = reflectance_phong(_e23, surface.normal, surface.view, 0.42);
-    vec4 _e32 = blend_add(body, vec4(1.0), _e27, 0.32, true);
-    return _e32;
+    float phong = reflectance_phong(u_look.key, surface.normal, surface.view, 0.42);
+    vec4 highlight = blend_add(body, vec4(1.0), phong, 0.32, true);
+    return highlight;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
-    vec4 _e19 = shade(surface_1);
-    out_color = _e19;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    out_color = shade(surface);
     return;
 }
 

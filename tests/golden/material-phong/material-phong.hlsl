@@ -1,38 +1,46 @@
 // Phong: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // material-phong.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -51,10 +59,10 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const float LN_2_ = 0.6931472;
+static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -75,72 +83,85 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x)
 {
-    float clamped_1 = max(x, -126.0);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = max(x, -126.0);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_1)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_1);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float log1p_negative(float y_1)
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
+float log1p_negative(float y)
 {
-    if ((y_1 < 0.25)) {
-        const float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if ((y < 0.25)) {
+        return log1p_negative_small(y);
     }
-    const float _e7 = log2_stable((1.0 - y_1));
-    return (LN_2_ * _e7);
+    return (LN_2 * log2_stable((1.0 - y)));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_1)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_1 * rsqrt(max(dot(v_1, v_1), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
     return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (1.0).xxx)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
+/// The square of the sine between two unit vectors.
 float sine_squared(float3 a, float3 b)
 {
     float3 across = cross(a, b);
     return min(dot(across, across), 1.0);
 }
 
-float cosine_power(float cosine, float sine2_, float exponent)
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
+float cosine_power(float cosine, float sine2, float exponent)
 {
     if ((cosine < 0.7)) {
         return pow(max(cosine, 0.0), exponent);
     }
-    const float _e14 = log1p_negative(min(sine2_, 0.6));
-    const float _e16 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e14));
-    return _e16;
+    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
 }
 
 float reflectance_phong(Light light, float3 normal, float3 view, float roughness)
@@ -148,21 +169,19 @@ float reflectance_phong(Light light, float3 normal, float3 view, float roughness
     float width = (roughness * roughness);
     float e = ((2.0 / (width * width)) - 2.0);
     float n_l = max(dot(normal, light.direction), 0.0);
-    const float3 _e19 = normalize_moderate((((2.0 * dot(normal, view)) * normal) - view), normal);
-    const float _e23 = sine_squared(_e19, light.direction);
-    const float _e24 = cosine_power(dot(_e19, light.direction), _e23, e);
-    return (((0.5 * (e + 2.0)) * _e24) * n_l);
+    const float3 mirrored = normalize_moderate((((2.0 * dot(normal, view)) * normal) - view), normal);
+    const float shine = cosine_power(dot(mirrored, light.direction), sine_squared(mirrored, light.direction), e);
+    return (((0.5 * (e + 2.0)) * shine) * n_l);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float lambert = max(dot(surface.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, look.key.direction), 0.0);
     float4 body = float4((float3(0.1647, 0.0706, 0.1255) + (lambert * float3(0.7608, 0.2314, 0.2275))), 1.0);
-    Light _e23 = look.key;
-    const float _e27 = reflectance_phong(_e23, surface.normal, surface.view, 0.42);
-    const float4 _e32 = blend_add(body, (1.0).xxxx, _e27, 0.32, true);
-    return _e32;
+    const float phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);
+    const float4 highlight = blend_add(body, (1.0).xxxx, phong, 0.32, true);
+    return highlight;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -175,11 +194,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -195,11 +211,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))));
-    const float4 _e19 = shade(surface_1);
-    return _e19;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    return shade(surface);
 }

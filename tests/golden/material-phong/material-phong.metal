@@ -1,6 +1,6 @@
 // Phong: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // material-phong.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,24 +13,32 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -46,53 +54,60 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LN_2_ = 0.6931472;
+constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::max(x, -126.0);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::max(x, -126.0);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    float z2 = z * z;
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(
     float y
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
 }
 
+/// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(
-    float y_1
+    float y
 ) {
-    if (y_1 < 0.25) {
-        float _e3 = log1p_negative_small(y_1);
-        return _e3;
+    if (y < 0.25) {
+        return log1p_negative_small(y);
     }
-    float _e7 = log2_stable(1.0 - y_1);
-    return LN_2_ * _e7;
+    return LN_2 * log2_stable(1.0 - y);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -101,12 +116,17 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 Composite blend_add(
     Composite below,
     Color color,
@@ -117,6 +137,7 @@ Composite blend_add(
     return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * metal::float3(1.0))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// The square of the sine between two unit vectors.
 float sine_squared(
     metal::float3 a,
     metal::float3 b
@@ -125,17 +146,17 @@ float sine_squared(
     return metal::min(metal::dot(across, across), 1.0);
 }
 
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
 float cosine_power(
     float cosine,
-    float sine2_,
+    float sine2,
     float exponent
 ) {
     if (cosine < 0.7) {
         return metal::pow(metal::max(cosine, 0.0), exponent);
     }
-    float _e14 = log1p_negative(metal::min(sine2_, 0.6));
-    float _e16 = exp2_stable(((0.5 * exponent) * LOG2_E) * _e14);
-    return _e16;
+    return exp2_stable(((0.5 * exponent) * LOG2_E) * log1p_negative(metal::min(sine2, 0.6)));
 }
 
 float reflectance_phong(
@@ -147,23 +168,21 @@ float reflectance_phong(
     float width = roughness * roughness;
     float e = (2.0 / (width * width)) - 2.0;
     float n_l = metal::max(metal::dot(normal, light.direction), 0.0);
-    metal::float3 _e19 = normalize_moderate(((2.0 * metal::dot(normal, view)) * normal) - view, normal);
-    float _e23 = sine_squared(_e19, light.direction);
-    float _e24 = cosine_power(metal::dot(_e19, light.direction), _e23, e);
-    return ((0.5 * (e + 2.0)) * _e24) * n_l;
+    metal::float3 mirrored = normalize_moderate(((2.0 * metal::dot(normal, view)) * normal) - view, normal);
+    float shine = cosine_power(metal::dot(mirrored, light.direction), sine_squared(mirrored, light.direction), e);
+    return ((0.5 * (e + 2.0)) * shine) * n_l;
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    float lambert = metal::max(metal::dot(surface.normal, _e5), 0.0);
+    float lambert = metal::max(metal::dot(surface.normal, look.key.direction), 0.0);
     metal::float4 body = metal::float4(metal::float3(0.1647, 0.0706, 0.1255) + (lambert * metal::float3(0.7608, 0.2314, 0.2275)), 1.0);
-    Light _e23 = look.key;
-    float _e27 = reflectance_phong(_e23, surface.normal, surface.view, 0.42);
-    Composite _e32 = blend_add(body, metal::float4(1.0), _e27, 0.32, true);
-    return _e32;
+    float phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);
+    Composite highlight = blend_add(body, metal::float4(1.0), phong, 0.32, true);
+    return highlight;
 }
 
 struct vs_mainInput {
@@ -177,15 +196,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -201,15 +217,12 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position))};
-    metal::float4 _e19 = shade(surface_1, look);
-    return fs_mainOutput { _e19 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    return fs_mainOutput { shade(surface, look) };
 }

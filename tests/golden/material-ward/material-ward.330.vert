@@ -6,13 +6,14 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
 struct Vertex {
     vec3 position;
@@ -38,13 +39,8 @@ smooth out vec4 v_tangent;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal, a_tangent);
-    mat4x4 _e3 = u_object.world_from_object;
-    vec4 world = (_e3 * vec4(vertex.position, 1.0));
-    mat4x4 _e10 = u_view.clip_from_world;
-    mat3x3 _e15 = u_object.world_from_normal;
-    mat4x4 _e20 = u_object.world_from_object;
-    mat3x3 _e34 = u_object.world_from_normal;
-    Varyings _tmp_return = Varyings((_e10 * world), world.xyz, (_e15 * vertex.normal), vec4((_e20 * vec4(vertex.tangent.xyz, 0.0)).xyz, ((determinant(_e34) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
+    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
+    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal), vec4((u_object.world_from_object * vec4(vertex.tangent.xyz, 0.0)).xyz, ((determinant(u_object.world_from_normal) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
     gl_Position = _tmp_return.clip;
     v_position = _tmp_return.position;
     v_normal = _tmp_return.normal;

@@ -1,38 +1,46 @@
 // Anisotropic Ward: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_3 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // material-ward.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -55,7 +63,7 @@ struct Varyings {
     float4 tangent : LOC2;
 };
 
-cbuffer view_3 : register(b0) { View view_3; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -74,11 +82,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -87,8 +100,8 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
@@ -98,26 +111,33 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_1)
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable(float x)
 {
-    float clamped = max(x_1, -126.0);
+    float clamped = max(x, -126.0);
     float whole = round(clamped);
     float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen_balanced(float3 v_2)
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+float3 normalize_seen_balanced(float3 v)
 {
-    return (v_2 * rsqrt(max(dot(v_2, v_2), 1e-30)));
+    return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
     float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
@@ -125,55 +145,58 @@ float3 any_orthogonal(float3 n)
     return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
+/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a
+/// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
+/// along the normal, another one takes its place.
 float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 {
     float3 t = (tangent * rsqrt(max(dot(tangent, tangent), 1e-30)));
     float3 leaning = (t - (dot(t, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
-    const float3 _e14 = any_orthogonal(normal);
-    const float3 _e20 = normalize_or((is_usable ? leaning : _e14), float3(1.0, 0.0, 0.0));
-    const float3 _e28 = normalize_moderate((_e20 - (dot(_e20, normal) * normal)), float3(1.0, 0.0, 0.0));
-    float3 b = cross(normal, _e28);
-    return float3x3(_e28, b, normal);
+    const float3 any_orthogonal_value = any_orthogonal(normal);
+    const float3 rough = normalize_or((is_usable ? leaning : any_orthogonal_value), float3(1.0, 0.0, 0.0));
+    const float3 upright = normalize_moderate((rough - (dot(rough, normal) * normal)), float3(1.0, 0.0, 0.0));
+    float3 b = cross(normal, upright);
+    return float3x3(upright, b, normal);
 }
 
-float3 half_of(float3 light, float3 normal_1, float3 view)
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
+float3 half_of(float3 light, float3 normal, float3 view)
 {
     float3 half_ = (light + view);
-    const float3 _e8 = normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal_1), normal_1);
-    return _e8;
+    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
 }
 
-float ward(float3 light_1, float3 normal_2, float3 view_1, float3 x_axis, float3 y_axis, float2 widths)
+/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two
+/// axes.
+float ward(float3 light, float3 normal, float3 view, float3 x_axis, float3 y_axis, float2 widths)
 {
-    float n_l = dot(normal_2, light_1);
-    float n_v = dot(normal_2, view_1);
+    float n_l = dot(normal, light);
+    float n_v = dot(normal, view);
     if (((n_l <= 0.0) | (n_v <= 0.0))) {
         return 0.0;
     }
-    const float3 _e14 = half_of(light_1, normal_2, view_1);
-    float n_h = max(dot(normal_2, _e14), 1e-6);
-    float2 slope = (float2(dot(_e14, x_axis), dot(_e14, y_axis)) / (widths * n_h));
-    const float _e28 = exp2_stable((-1.442695 * min(dot(slope, slope), 200.0)));
-    return ((n_l * _e28) / (widths.y * sqrt(max((n_l * n_v), 1e-6))));
+    const float3 half_ = half_of(light, normal, view);
+    float n_h = max(dot(normal, half_), 1e-6);
+    float2 slope = (float2(dot(half_, x_axis), dot(half_, y_axis)) / (widths * n_h));
+    const float lobe = exp2_stable((-1.442695 * min(dot(slope, slope), 200.0)));
+    return ((n_l * lobe) / (widths.y * sqrt(max((n_l * n_v), 1e-6))));
 }
 
-float reflectance_ward(Light light_2, float3 normal_3, float3 view_2, float3 tangent_1, float roughness, float across)
+float reflectance_ward(Light light, float3 normal, float3 view, float3 tangent, float roughness, float across)
 {
-    const float3x3 _e8 = world_from_tangent(tangent_1, (0.0).xxx, normal_3);
-    float2 widths_1 = float2(0.25, (across * across));
-    const float _e16 = ward(light_2.direction, _e8[2], view_2, _e8[0], _e8[1], widths_1);
-    return _e16;
+    const float3x3 frame = world_from_tangent(tangent, (0.0).xxx, normal);
+    float2 widths = float2(0.25, (across * across));
+    return ward(light.direction, frame[2], view, frame[0], frame[1], widths);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float lambert = max(dot(surface.normal, _e5), 0.0);
+    float lambert = max(dot(surface.normal, look.key.direction), 0.0);
     float4 body = float4((float3(0.098, 0.1059, 0.1333) + (lambert * float3(0.3529, 0.3961, 0.4392))), 1.0);
-    Light _e23 = look.key;
-    const float _e29 = reflectance_ward(_e23, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
-    float4 highlight = clamp(float4((body.xyz + (0.55 * ((body.xyz + (_e29 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
+    float4 highlight = clamp(float4((body.xyz + (0.55 * ((body.xyz + (ward_2 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return highlight;
 }
 
@@ -188,13 +211,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float4 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_3.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    float4x4 _e20 = object.world_from_object;
-    float3x3 _e34 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15), float4(mul(float4(vertex.tangent.xyz, 0.0), _e20).xyz, ((determinant(_e34) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal), float4(mul(float4(vertex.tangent.xyz, 0.0), object.world_from_object).xyz, ((determinant(object.world_from_normal) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.tangent, varyings.clip_ };
     return varyings_1;
 }
@@ -211,12 +229,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5, fragmentinput_fs_main.tangent_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_6 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_3.eye;
-    float _e13 = view_3.eye.w;
-    const float3 _e27 = normalize_moderate((in_.tangent.xyz - (normal_6 * dot(normal_6, in_.tangent.xyz))), (0.0).xxx);
-    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), _e27);
-    const float4 _e29 = shade(surface_1);
-    return _e29;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    const float3 normalize_moderate_value = normalize_moderate((in_.tangent.xyz - (normal * dot(normal, in_.tangent.xyz))), (0.0).xxx);
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), normalize_moderate_value);
+    return shade(surface);
 }

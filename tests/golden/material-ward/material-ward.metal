@@ -1,6 +1,6 @@
 // Anisotropic Ward: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_3 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // material-ward.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,24 +13,32 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -48,12 +56,17 @@ struct Varyings {
     metal::float4 tangent;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(
     float x
 ) {
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -64,8 +77,8 @@ metal::float3 normalize_or(
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -75,30 +88,37 @@ int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(
-    float x_1
+    float x
 ) {
-    float clamped = metal::max(x_1, -126.0);
+    float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    return v_2 * metal::rsqrt(metal::max(metal::dot(v_2, v_2), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 metal::float3 any_orthogonal(
     metal::float3 n
 ) {
@@ -107,6 +127,9 @@ metal::float3 any_orthogonal(
     return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
 }
 
+/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a
+/// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
+/// along the normal, another one takes its place.
 metal::float3x3 world_from_tangent(
     metal::float3 tangent,
     metal::float3 bitangent,
@@ -115,67 +138,67 @@ metal::float3x3 world_from_tangent(
     metal::float3 t = tangent * metal::rsqrt(metal::max(metal::dot(tangent, tangent), 0.000000000000000000000000000001));
     metal::float3 leaning = t - (metal::dot(t, normal) * normal);
     bool is_usable = metal::dot(leaning, leaning) > 0.00000001;
-    metal::float3 _e14 = any_orthogonal(normal);
-    metal::float3 _e20 = normalize_or(is_usable ? leaning : _e14, metal::float3(1.0, 0.0, 0.0));
-    metal::float3 _e28 = normalize_moderate(_e20 - (metal::dot(_e20, normal) * normal), metal::float3(1.0, 0.0, 0.0));
-    metal::float3 b = metal::cross(normal, _e28);
-    return metal::float3x3(_e28, b, normal);
+    metal::float3 any_orthogonal_value = any_orthogonal(normal);
+    metal::float3 rough = normalize_or(is_usable ? leaning : any_orthogonal_value, metal::float3(1.0, 0.0, 0.0));
+    metal::float3 upright = normalize_moderate(rough - (metal::dot(rough, normal) * normal), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 b = metal::cross(normal, upright);
+    return metal::float3x3(upright, b, normal);
 }
 
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 metal::float3 half_of(
     metal::float3 light,
-    metal::float3 normal_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    metal::float3 _e8 = normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal_1, normal_1);
-    return _e8;
+    return normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
 }
 
+/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two
+/// axes.
 float ward(
-    metal::float3 light_1,
-    metal::float3 normal_2,
-    metal::float3 view_1,
+    metal::float3 light,
+    metal::float3 normal,
+    metal::float3 view,
     metal::float3 x_axis,
     metal::float3 y_axis,
     metal::float2 widths
 ) {
-    float n_l = metal::dot(normal_2, light_1);
-    float n_v = metal::dot(normal_2, view_1);
+    float n_l = metal::dot(normal, light);
+    float n_v = metal::dot(normal, view);
     if ((n_l <= 0.0) | (n_v <= 0.0)) {
         return 0.0;
     }
-    metal::float3 _e14 = half_of(light_1, normal_2, view_1);
-    float n_h = metal::max(metal::dot(normal_2, _e14), 0.000001);
-    metal::float2 slope = metal::float2(metal::dot(_e14, x_axis), metal::dot(_e14, y_axis)) / (widths * n_h);
-    float _e28 = exp2_stable(-1.442695 * metal::min(metal::dot(slope, slope), 200.0));
-    return (n_l * _e28) / (widths.y * metal::sqrt(metal::max(n_l * n_v, 0.000001)));
+    metal::float3 half_ = half_of(light, normal, view);
+    float n_h = metal::max(metal::dot(normal, half_), 0.000001);
+    metal::float2 slope = metal::float2(metal::dot(half_, x_axis), metal::dot(half_, y_axis)) / (widths * n_h);
+    float lobe = exp2_stable(-1.442695 * metal::min(metal::dot(slope, slope), 200.0));
+    return (n_l * lobe) / (widths.y * metal::sqrt(metal::max(n_l * n_v, 0.000001)));
 }
 
 float reflectance_ward(
-    Light light_2,
-    metal::float3 normal_3,
-    metal::float3 view_2,
-    metal::float3 tangent_1,
+    Light light,
+    metal::float3 normal,
+    metal::float3 view,
+    metal::float3 tangent,
     float roughness,
     float across
 ) {
-    metal::float3x3 _e8 = world_from_tangent(tangent_1, metal::float3(0.0), normal_3);
-    metal::float2 widths_1 = metal::float2(0.25, across * across);
-    float _e16 = ward(light_2.direction, _e8[2], view_2, _e8[0], _e8[1], widths_1);
-    return _e16;
+    metal::float3x3 frame = world_from_tangent(tangent, metal::float3(0.0), normal);
+    metal::float2 widths = metal::float2(0.25, across * across);
+    return ward(light.direction, frame[2], view, frame[0], frame[1], widths);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    float lambert = metal::max(metal::dot(surface.normal, _e5), 0.0);
+    float lambert = metal::max(metal::dot(surface.normal, look.key.direction), 0.0);
     metal::float4 body = metal::float4(metal::float3(0.098, 0.1059, 0.1333) + (lambert * metal::float3(0.3529, 0.3961, 0.4392)), 1.0);
-    Light _e23 = look.key;
-    float _e29 = reflectance_ward(_e23, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
-    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.55 * ((body.xyz + (_e29 * metal::float3(0.9569, 0.9412, 0.902))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
+    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.55 * ((body.xyz + (ward_2 * metal::float3(0.9569, 0.9412, 0.902))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return highlight;
 }
 
@@ -192,17 +215,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_3 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_4, varyings.tangent_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_3.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    metal::float4x4 _e20 = object.world_from_object;
-    metal::float3x3 _e34 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal, metal::float4((_e20 * metal::float4(vertex_.tangent.xyz, 0.0)).xyz, (metal::determinant(_e34) < 0.0) ? -(vertex_.tangent.w) : vertex_.tangent.w)};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal, metal::float4((object.world_from_object * metal::float4(vertex_.tangent.xyz, 0.0)).xyz, (metal::determinant(object.world_from_normal) < 0.0) ? -(vertex_.tangent.w) : vertex_.tangent.w)};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal, _tmp.tangent };
 }
 
@@ -219,16 +237,13 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_3 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4, varyings_1.tangent_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_3.eye;
-    float _e13 = view_3.eye.w;
-    metal::float3 _e27 = normalize_moderate(in.tangent.xyz - (normal_4 * metal::dot(normal_4, in.tangent.xyz)), metal::float3(0.0));
-    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), _e27};
-    metal::float4 _e29 = shade(surface_1, look);
-    return fs_mainOutput { _e29 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normalize_moderate_value = normalize_moderate(in.tangent.xyz - (normal * metal::dot(normal, in.tangent.xyz)), metal::float3(0.0));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), normalize_moderate_value};
+    return fs_mainOutput { shade(surface, look) };
 }

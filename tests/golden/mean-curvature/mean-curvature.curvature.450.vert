@@ -5,14 +5,14 @@
 // Textures: u_surface 0.
 // mean-curvature.json says what to put there and how to draw.
 
-vec4 whole_picture(uint index_1) {
-    return vec4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+/// A triangle over the whole picture.
+vec4 whole_picture(uint index) {
+    return vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    vec4 _e1 = whole_picture(index);
-    gl_Position = _e1;
+    gl_Position = whole_picture(index);
     return;
 }
 

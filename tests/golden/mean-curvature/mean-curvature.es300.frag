@@ -8,28 +8,44 @@
 precision highp float;
 precision highp int;
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     float kappa;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     vec4 before;
     vec4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
 };
 struct Varyings {
@@ -46,16 +62,21 @@ uniform highp sampler2D u_curvature_map;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
@@ -63,20 +84,24 @@ float bounded(float x) {
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value_1) : value_1);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
@@ -84,28 +109,29 @@ vec3 oklab_of_linear(vec3 rgb) {
     return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 _e23 = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_value;
 }
 
-vec3 srgb_of_oklab(vec3 lab_1) {
-    vec3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return vec3(_e3, _e5, _e7);
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+vec3 srgb_of_oklab(vec3 lab) {
+    vec3 light = linear_of_oklab(lab);
+    return vec3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-RampPlace ramp_place(Ramp ramp, float x_1) {
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
+RampPlace ramp_place(Ramp ramp, float x) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -115,68 +141,50 @@ RampPlace ramp_place(Ramp ramp, float x_1) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e27 = i;
-            i = (_e27 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e16 = i;
-        uint _e20 = i;
-        float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
-        at = ((_e24 <= x_1) ? _e15 : _e14);
+        float places_now = places[(i / 4u)][(i % 4u)];
+        at = ((places_now <= x) ? i : at);
     }
-    uint _e30 = at;
-    uint after = min((_e30 + 1u), 6u);
-    uint _e35 = at;
-    uint _e39 = at;
-    float place = places[(_e35 / 4u)][(_e39 % 4u)];
-    float _e51 = places[(after / 4u)][(after % 4u)];
-    float _e53 = divided((x_1 - place), (_e51 - place));
-    float t = clamp(_e53, 0.0, 1.0);
-    uint _e57 = at;
-    vec4 _e59 = colors[_e57];
-    vec4 _e61 = colors[after];
-    return RampPlace(_e59, _e61, t);
+    uint after = min((at + 1u), 6u);
+    float place = places[(at / 4u)][(at % 4u)];
+    float t = clamp(divided((x - place), (places[(after / 4u)][(after % 4u)] - place)), 0.0, 1.0);
+    return RampPlace(colors[at], colors[after], t);
 }
 
-vec4 ramp_oklab(float value, Ramp ramp_1) {
-    RampPlace _e2 = ramp_place(ramp_1, value);
-    vec3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    vec3 _e8 = oklab_of_srgb(_e2.after.xyz);
-    vec3 _e11 = srgb_of_oklab(mix(_e5, _e8, _e2.t));
-    return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : vec4(_e11, 1.0)));
+vec4 ramp_oklab(float value, Ramp ramp) {
+    RampPlace place = ramp_place(ramp, value);
+    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
+    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : vec4(srgb_of_oklab_value, 1.0)));
 }
 
-float reflectance_half_lambert(Light light_1, vec3 normal) {
-    float half_ = (0.5 + (0.5 * dot(normal, light_1.direction)));
+float reflectance_half_lambert(Light light, vec3 normal) {
+    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
     return min((half_ * half_), 1.0);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float curvature = surface.kappa;
     float from_hollow_to_ridge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.045), -20.0, 20.0))))))));
-    vec4 _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e24 = u_look.key;
-    float _e26 = reflectance_half_lambert(_e24, surface.normal);
-    float in_the_dark = (1.0 - _e26);
-    vec4 shade_2_ = clamp(vec4((_e21.xyz * mix(vec3(1.0), vec3(0.42, 0.4, 0.55), in_the_dark)), 1.0), vec4(0.0), vec4(1.0));
-    return shade_2_;
+    vec4 base = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    float half_lambert = reflectance_half_lambert(u_look.key, surface.normal);
+    float in_the_dark = (1.0 - half_lambert);
+    vec4 shade_2 = clamp(vec4((base.xyz * mix(vec3(1.0), vec3(0.42, 0.4, 0.55), in_the_dark)), 1.0), vec4(0.0), vec4(1.0));
+    return shade_2;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e11 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_1, _e11.x);
-    vec4 _e14 = shade(surface_1);
-    out_color = _e14;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0).x);
+    out_color = shade(surface);
     return;
 }
 

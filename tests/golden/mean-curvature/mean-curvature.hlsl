@@ -2,54 +2,71 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // mean-curvature.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     float kappa;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     float4 before;
     float4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
     int _end_pad_0;
     int _end_pad_1;
@@ -66,29 +83,8 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp hollow_flat_ridge = ConstructRamp(Constructarray16_float4_(float4(0.0588, 0.1294, 0.2706, 1.0), float4(0.1843, 0.3725, 0.5412, 1.0), float4(0.7255, 0.7647, 0.7059, 1.0), float4(0.9255, 0.8902, 0.7961, 1.0), float4(0.8902, 0.749, 0.502, 1.0), float4(0.7804, 0.4627, 0.1843, 1.0), float4(1.0, 0.9529, 0.8627, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.25, 0.44, 0.5), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx), 7u, 0u);
+static const Ramp hollow_flat_ridge = {{float4(0.0588, 0.1294, 0.2706, 1.0), float4(0.1843, 0.3725, 0.5412, 1.0), float4(0.7255, 0.7647, 0.7059, 1.0), float4(0.9255, 0.8902, 0.7961, 1.0), float4(0.8902, 0.749, 0.502, 1.0), float4(0.7804, 0.4627, 0.1843, 1.0), float4(1.0, 0.9529, 0.8627, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.25, 0.44, 0.5), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -106,18 +102,23 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x)
 {
     uint bits = asuint(x);
@@ -126,22 +127,26 @@ float bounded(float x)
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value_1) : value_1);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 float3 oklab_of_linear(float3 rgb)
 {
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
@@ -150,28 +155,28 @@ float3 oklab_of_linear(float3 rgb)
     return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 _e23 = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_value;
 }
 
-float3 srgb_of_oklab(float3 lab_1)
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+float3 srgb_of_oklab(float3 lab)
 {
-    const float3 _e1 = linear_of_oklab(lab_1);
-    const float _e3 = srgb_of_linear(_e1.x);
-    const float _e5 = srgb_of_linear(_e1.y);
-    const float _e7 = srgb_of_linear(_e1.z);
-    return float3(_e3, _e5, _e7);
+    const float3 light = linear_of_oklab(lab);
+    return float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -190,76 +195,59 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
-RampPlace ramp_place(Ramp ramp, float x_1)
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
+RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e27 = i;
-            i = (_e27 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e16 = i;
-        uint _e20 = i;
-        float _e24 = places[min(uint(naga_div(_e16, 4u)), 3u)][min(uint(naga_mod(_e20, 4u)), 3u)];
-        at = ((_e24 <= x_1) ? _e15 : _e14);
+        float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
+        at = ((places_now <= x) ? i : at);
     }
-    uint _e30 = at;
-    uint after = min((_e30 + 1u), 6u);
-    uint _e35 = at;
-    uint _e39 = at;
-    float place = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
-    float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    const float _e53 = divided((x_1 - place), (_e51 - place));
-    float t = clamp(_e53, 0.0, 1.0);
-    uint _e57 = at;
-    float4 _e59 = colors[min(uint(_e57), 15u)];
-    float4 _e61 = colors[min(uint(after), 15u)];
-    const RampPlace rampplace = ConstructRampPlace(_e59, _e61, t);
+    uint after = min((at + 1u), 6u);
+    float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
+    const float divided_value = divided((x - place), (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place));
+    float t = clamp(divided_value, 0.0, 1.0);
+    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
     return rampplace;
 }
 
-float4 ramp_oklab(float value, Ramp ramp_1)
+float4 ramp_oklab(float value, Ramp ramp)
 {
-    const RampPlace _e2 = ramp_place(ramp_1, value);
-    const float3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    const float3 _e8 = oklab_of_srgb(_e2.after.xyz);
-    const float3 _e11 = srgb_of_oklab(lerp(_e5, _e8, _e2.t));
-    return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : float4(_e11, 1.0)));
+    const RampPlace place = ramp_place(ramp, value);
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
+    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
 }
 
-float reflectance_half_lambert(Light light_1, float3 normal)
+float reflectance_half_lambert(Light light, float3 normal)
 {
-    float half_ = (0.5 + (0.5 * dot(normal, light_1.direction)));
+    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
     return min((half_ * half_), 1.0);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float curvature = surface.kappa;
     float from_hollow_to_ridge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.045), -20.0, 20.0))))))));
-    const float4 _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e24 = look.key;
-    const float _e26 = reflectance_half_lambert(_e24, surface.normal);
-    float in_the_dark = (1.0 - _e26);
-    float4 shade_2_ = clamp(float4((_e21.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    return shade_2_;
+    const float4 base = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    const float half_lambert = reflectance_half_lambert(look.key, surface.normal);
+    float in_the_dark = (1.0 - half_lambert);
+    float4 shade_2 = clamp(float4((base.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return shade_2;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -271,11 +259,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -295,10 +280,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e11 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, _e11.x);
-    const float4 _e14 = shade(surface_1);
-    return _e14;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
+    return shade(surface);
 }

@@ -13,24 +13,32 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::packed_float3 normal;
     float kappa;
@@ -42,16 +50,25 @@ struct type_6 {
 struct type_7 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_6 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_7 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     metal::float4 before;
     metal::float4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
     char _pad3[12];
 };
@@ -66,6 +83,8 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp hollow_flat_ridge = Ramp {type_6 {{metal::float4(0.0588, 0.1294, 0.2706, 1.0), metal::float4(0.1843, 0.3725, 0.5412, 1.0), metal::float4(0.7255, 0.7647, 0.7059, 1.0), metal::float4(0.9255, 0.8902, 0.7961, 1.0), metal::float4(0.8902, 0.749, 0.502, 1.0), metal::float4(0.7804, 0.4627, 0.1843, 1.0), metal::float4(1.0, 0.9529, 0.8627, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.25, 0.44, 0.5), metal::float4(0.6, 0.8, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 0u};
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -74,13 +93,16 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
     float x
 ) {
@@ -90,6 +112,7 @@ float bounded(
     return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// a / b; 0 where b is 0.
 float divided(
     float a,
     float b
@@ -97,18 +120,21 @@ float divided(
     if (metal::abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e7 = bounded(a / b);
-    return _e7;
+    return bounded(a / b);
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value_1) : value_1;
+    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
+    return (light < 0.0) ? -(value) : value;
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
@@ -118,31 +144,31 @@ metal::float3 oklab_of_linear(
     return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
+    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
-    return _e23;
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear_value;
 }
 
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 metal::float3 srgb_of_oklab(
-    metal::float3 lab_1
+    metal::float3 lab
 ) {
-    metal::float3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return metal::float3(_e3, _e5, _e7);
+    metal::float3 light = linear_of_oklab(lab);
+    return metal::float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -153,9 +179,10 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(
     Ramp ramp,
-    float x_1
+    float x
 ) {
     type_6 colors = {};
     type_7 places = {};
@@ -163,72 +190,53 @@ RampPlace ramp_place(
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e27 = i;
-            i = _e27 + 1u;
+            i = i + 1u;
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e16 = i;
-        uint _e20 = i;
-        float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_1) ? _e15 : _e14;
+        float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
+        at = (places_now <= x) ? i : at;
     }
-    uint _e30 = at;
-    uint after = metal::min(_e30 + 1u, 6u);
-    uint _e35 = at;
-    uint _e39 = at;
-    float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
-    float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_1 - place, _e51 - place);
-    float t = metal::clamp(_e53, 0.0, 1.0);
-    uint _e57 = at;
-    metal::float4 _e59 = colors.inner[_e57];
-    metal::float4 _e61 = colors.inner[after];
-    return RampPlace {_e59, _e61, t};
+    uint after = metal::min(at + 1u, 6u);
+    float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
+    float t = metal::clamp(divided(x - place, places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place), 0.0, 1.0);
+    return RampPlace {colors.inner[at], colors.inner[after], t};
 }
 
 Color ramp_oklab(
     float value,
-    Ramp ramp_1
+    Ramp ramp
 ) {
-    RampPlace _e2 = ramp_place(ramp_1, value);
-    metal::float3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    metal::float3 _e8 = oklab_of_srgb(_e2.after.xyz);
-    metal::float3 _e11 = srgb_of_oklab(metal::mix(_e5, _e8, _e2.t));
-    return (_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : metal::float4(_e11, 1.0));
+    RampPlace place = ramp_place(ramp, value);
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
+    return (place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
 float reflectance_half_lambert(
-    Light light_1,
+    Light light,
     metal::float3 normal
 ) {
-    float half_ = 0.5 + (0.5 * metal::dot(normal, light_1.direction));
+    float half_ = 0.5 + (0.5 * metal::dot(normal, light.direction));
     return metal::min(half_ * half_, 1.0);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
     float curvature = surface.kappa;
     float from_hollow_to_ridge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.045, -20.0, 20.0))))));
-    Color _e21 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
-    Light _e24 = look.key;
-    float _e26 = reflectance_half_lambert(_e24, surface.normal);
-    float in_the_dark = 1.0 - _e26;
-    metal::float4 shade_2_ = metal::clamp(metal::float4(_e21.xyz * metal::mix(metal::float3(1.0), metal::float3(0.42, 0.4, 0.55), in_the_dark), 1.0), metal::float4(0.0), metal::float4(1.0));
-    return shade_2_;
+    Color base = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    float half_lambert = reflectance_half_lambert(look.key, surface.normal);
+    float in_the_dark = 1.0 - half_lambert;
+    metal::float4 shade_2 = metal::clamp(metal::float4(base.xyz * metal::mix(metal::float3(1.0), metal::float3(0.42, 0.4, 0.55), in_the_dark), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return shade_2;
 }
 
 struct vs_mainInput {
@@ -245,11 +253,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e14 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, _e14 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -272,10 +277,8 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e11 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_1, _e11.x};
-    metal::float4 _e14 = shade(surface_1, look);
-    return fs_mainOutput { _e14 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0).x};
+    return fs_mainOutput { shade(surface, look) };
 }

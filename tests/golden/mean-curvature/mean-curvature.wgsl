@@ -15,8 +15,6 @@ struct Object {
     /// The inverse transpose, for normals.
     world_from_normal: mat3x3f,
     id: f32,
-    /// The alpha cutoff of the material, 0 for none.
-    cutoff: f32,
 }
 
 /// What is known before the fragment.

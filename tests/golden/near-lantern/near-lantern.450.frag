@@ -6,24 +6,39 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+/// What is known before the fragment.
 struct Look {
     vec4 back_light_color_convex;
     Light back;
@@ -33,16 +48,23 @@ struct Look {
     ProfileShape body_tone_shape;
     vec4 shadow;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
 struct Varyings {
@@ -64,35 +86,45 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec4 finite_vec4_(vec4 v) {
-    uvec4 exponent_1 = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_1), exponent_1));
+/// v with 0 for each component that is NaN or infinite.
+vec4 finite_vec4(vec4 v) {
+    uvec4 exponent = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 float log2_one_minus(float y) {
     float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
     return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_4 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_4, u_1.half_cos));
-    vec2 turned = (((s_4 <= 0.0) && (s_4 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
     if ((opacity <= 0.0)) {
         return below;
@@ -101,160 +133,153 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    float a = (opacity_1 * color.w);
-    float alpha_1 = (below_1.w + ((tone * a) * (1.0 - below_1.w)));
-    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a, clamped_1);
-    return _e20;
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    float a = (opacity * color.w);
+    float alpha = (below.w + ((tone * a) * (1.0 - below.w)));
+    return blend_finish(below, (below.xyz + (tone * (color.xyz - below.xyz))), alpha, a, clamped);
 }
 
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
+    vec2 split = light_split(light.intensity);
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_1, vec3 normal, vec3 view) {
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
     vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light_1.direction))), (0.5 * length((d + light_1.direction))));
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent) {
-    float y_1 = min((q * q), 1.0);
-    float _e5 = log2_one_minus(y_1);
-    float power = exp2(max((exponent * _e5), -126.0));
+    float y = min((q * q), 1.0);
+    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
     return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
 }
 
-vec2 profile_place(Angle u_2, ProfileShape shape) {
-    return vec2(((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset)), ((u_2.half_cos * shape.half_cos_offset) + (u_2.half_sin * shape.half_sin_offset)));
+/// Sine and cosine of half the angle from tau to u.
+vec2 profile_place(Angle u, ProfileShape shape) {
+    return vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
 }
 
-float profile_soft_quick(float s, ProfileShape shape_1) {
-    float _e5 = profile_power_quick((s * shape_1.scale), shape_1.exponent);
-    return ((s <= 0.0) ? 1.0 : _e5);
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick(float s, ProfileShape shape) {
+    float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
+    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_2) {
-    float q_1 = (s_1 * shape_2.scale);
-    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_2.exponent));
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape) {
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_3) {
-    float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_3.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    // 2 asin(s) by its series: the ramp is narrow.
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_3, float w_1, ProfileShape shape_4) {
-    float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
-    float from_offset_1 = (s_3 * (2.0 + ((s_3 * s_3) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_4.edge_mean - from_offset_1) / width_1)), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_3 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_3, float w_2, ProfileShape shape_5) {
-    if ((shape_5.kind == PROFILE_AMBIENT)) {
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    if ((shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
-    vec2 _e7 = profile_place(u_3, shape_5);
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_5.edge_deviation)));
-    if (((shape_5.kind == PROFILE_STEP) || is_narrow)) {
-        float _e20 = profile_ramp_quick(_e7.x, w_2, shape_5);
-        return _e20;
+    vec2 place = profile_place(u, shape);
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
+    if (((shape.kind == PROFILE_STEP) || is_narrow)) {
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e22 = profile_soft_quick(_e7.x, shape_5);
-    if ((w_2 < (0.1 * shape_5.edge_deviation))) {
-        return _e22;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_2);
+    // Half of the quadrature's reach is below 0.1.
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e48 = profile_soft_quick(((_e7.x * turn.y) - (_e7.y * turn.x)), shape_5);
-    float _e56 = profile_soft_quick(((_e7.x * turn.y) + (_e7.y * turn.x)), shape_5);
-    return ((((5.0 * _e48) + (8.0 * _e22)) + (5.0 * _e56)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_4, float w_3, ProfileShape shape_6) {
-    vec2 place = vec2(((u_4.half_sin * shape_6.half_cos_offset) - (u_4.half_cos * shape_6.half_sin_offset)), ((u_4.half_cos * shape_6.half_cos_offset) + (u_4.half_sin * shape_6.half_sin_offset)));
-    bool is_narrow_1 = ((w_3 > 0.0) && (w_3 >= (3.4641016 * shape_6.edge_deviation)));
-    if ((false || is_narrow_1)) {
-        float _e28 = profile_ramp_quick_2_(place.x, w_3, shape_6);
-        return _e28;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
+    if ((false || is_narrow)) {
+        return profile_ramp_quick_2(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick_2_(place.x, shape_6);
-    if ((w_3 < (0.1 * shape_6.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_3);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick_2_(((place.x * turn_1.y) - (place.y * turn_1.x)), shape_6);
-    float _e64 = profile_soft_quick_2_(((place.x * turn_1.y) + (place.y * turn_1.x)), shape_6);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_7) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_7);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_8) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_8);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    vec3 _e14 = u_look.key.direction;
-    Angle body_angle = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    ProfileShape _e23 = u_look.body_tone_shape;
-    float _e24 = profile_balanced(body_angle, 0.0, _e23);
-    Light _e27 = u_look.key;
-    vec4 _e30 = u_look.body_color_convex;
-    LitLayer _e31 = light_apply(_e27, _e30, _e24);
-    vec4 _e34 = u_look.shadow;
-    vec4 _e37 = u_look.shadow;
-    vec4 _e44 = u_look.shadow;
-    float _e52 = u_look.shadow.w;
-    float _e60 = u_look.shadow.w;
-    vec4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
-    Light _e71 = u_look.key;
-    Angle _e74 = parametrization_specular_balanced(_e71, surface.normal, surface.view);
-    float _e77 = profile_balanced_2_(_e74, 0.0, highlight_tone_shape);
-    Light _e80 = u_look.key;
-    vec4 _e83 = u_look.highlight_color_convex;
-    LitLayer _e84 = light_apply(_e80, _e83, _e77);
-    vec4 _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.9, true);
-    vec3 _e94 = u_look.back.direction;
-    vec3 _e103 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface.normal - _e94))), (0.5 * length((surface.normal + _e103))));
-    float _e111 = profile_balanced_2_(back_light_angle, 0.0, back_light_tone_shape);
-    Light _e114 = u_look.back;
-    vec4 _e117 = u_look.back_light_color_convex;
-    LitLayer _e118 = light_apply(_e114, _e117, _e111);
-    vec4 _e129 = blend_finish(_e89, (_e89.xyz + (_e118.tone * _e118.color.xyz)), _e89.w, _e118.color.w, true);
-    vec4 _e140 = finite_vec4_(((_e129.w <= 0.0) ? _e129 : vec4((_e129.xyz / vec3(_e129.w)), _e129.w)));
-    return _e140;
+    Angle body_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float body_tone = profile_balanced(body_angle, 0.0, u_look.body_tone_shape);
+    LitLayer body_lit = light_apply(u_look.key, u_look.body_color_convex, body_tone);
+    vec4 body_blend = blend_finish(u_look.shadow, (u_look.shadow.xyz + (body_lit.tone * (body_lit.color.xyz - u_look.shadow.xyz))), (u_look.shadow.w + ((body_lit.tone * body_lit.color.w) * (1.0 - u_look.shadow.w))), body_lit.color.w, true);
+    Angle highlight_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float highlight_tone = profile_balanced_2(highlight_angle, 0.0, highlight_tone_shape);
+    LitLayer highlight_lit = light_apply(u_look.key, u_look.highlight_color_convex, highlight_tone);
+    vec4 highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.9, true);
+    Angle back_light_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
+    float back_light_tone = profile_balanced_2(back_light_angle, 0.0, back_light_tone_shape);
+    LitLayer back_light_lit = light_apply(u_look.back, u_look.back_light_color_convex, back_light_tone);
+    vec4 back_light_blend = blend_finish(highlight_blend, (highlight_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), highlight_blend.w, back_light_lit.color.w, true);
+    vec4 output_ = finite_vec4(((back_light_blend.w <= 0.0) ? back_light_blend : vec4((back_light_blend.xyz / vec3(back_light_blend.w)), back_light_blend.w)));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))));
-    vec4 _e19 = shade(surface_1);
-    vec4 _e20 = finite_vec4_(_e19);
-    out_color = _e20;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    out_color = finite_vec4(shade(surface));
     return;
 }
 

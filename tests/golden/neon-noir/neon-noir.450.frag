@@ -7,40 +7,62 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light magenta;
     Light cyan;
     Light street;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -63,180 +85,185 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
     float y = (x * x);
-    float s_2 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return vec2(s_2, c);
+    return vec2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_1));
-    vec2 turned = (((s_3 <= 0.0) && (s_3 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
-    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
+    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
 }
 
-Angle parametrization_specular_balanced(Light light_2, vec3 normal_1, vec3 view) {
-    vec3 d = (((2.0 * dot(normal_1, view)) * normal_1) - view);
-    return Angle((0.5 * length((d - light_2.direction))), (0.5 * length((d + light_2.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2) {
-    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_3) {
-    vec2 place_1 = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) && (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_2);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift));
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    vec2 _e5 = sin_cos_quick((0.5 * shift_1));
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float wet_magenta_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(wet_magenta_convexity, vec4(0.0706, 0.0627, 0.1647, 1.0), vec4(0.0196, 0.0157, 0.0627, 1.0));
-    Light _e33 = u_look.street;
-    Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
+    vec4 the_room_color = curvature_color(wet_magenta_convexity, vec4(0.0706, 0.0627, 0.1647, 1.0), vec4(0.0196, 0.0157, 0.0627, 1.0));
+    Angle the_room_angle = parametrization_diffuse_balanced(u_look.street, surface.normal);
     float the_room_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.2);
-    float _e43 = profile_balanced(_e35, the_room_warp, the_room_tone_shape);
-    Light _e46 = u_look.street;
-    LitLayer _e47 = light_apply(_e46, _e30, _e43);
-    vec4 _e57 = blend_add(vec4(0.0157, 0.0118, 0.0353, 1.0), _e47.color, _e47.tone, 1.0, true);
-    vec4 _e68 = curvature_color(wet_magenta_convexity, vec4(0.0471, 0.2275, 0.3373, 1.0), vec4(0.0235, 0.0941, 0.1804, 1.0));
-    Light _e71 = u_look.cyan;
-    Angle _e73 = parametrization_diffuse_balanced(_e71, surface.normal);
+    float the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
+    LitLayer the_room_lit = light_apply(u_look.street, the_room_color, the_room_tone);
+    vec4 the_room_blend = blend_add(vec4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
+    vec4 cyan_haze_color = curvature_color(wet_magenta_convexity, vec4(0.0471, 0.2275, 0.3373, 1.0), vec4(0.0235, 0.0941, 0.1804, 1.0));
+    Angle cyan_tube_angle = parametrization_diffuse_balanced(u_look.cyan, surface.normal);
     float magenta_haze_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.15);
-    float _e81 = profile_balanced(_e73, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e84 = u_look.cyan;
-    LitLayer _e85 = light_apply(_e84, _e68, _e81);
-    vec4 _e90 = blend_add(_e57, _e85.color, _e85.tone, 1.0, true);
-    vec4 _e101 = curvature_color(wet_magenta_convexity, vec4(0.2902, 0.0471, 0.2667, 1.0), vec4(0.1098, 0.0235, 0.149, 1.0));
-    Light _e104 = u_look.magenta;
-    Angle _e106 = parametrization_diffuse_balanced(_e104, surface.normal);
-    float _e108 = profile_balanced(_e106, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e111 = u_look.magenta;
-    LitLayer _e112 = light_apply(_e111, _e101, _e108);
-    vec4 _e117 = blend_add(_e90, _e112.color, _e112.tone, 1.0, true);
+    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    LitLayer cyan_haze_lit = light_apply(u_look.cyan, cyan_haze_color, cyan_haze_tone);
+    vec4 cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0, true);
+    vec4 magenta_haze_color = curvature_color(wet_magenta_convexity, vec4(0.2902, 0.0471, 0.2667, 1.0), vec4(0.1098, 0.0235, 0.149, 1.0));
+    Angle magenta_tube_angle = parametrization_diffuse_balanced(u_look.magenta, surface.normal);
+    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    LitLayer magenta_haze_lit = light_apply(u_look.magenta, magenta_haze_color, magenta_haze_tone);
+    vec4 magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color, magenta_haze_lit.tone, 1.0, true);
     float magenta_tube_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    vec4 _e147 = curvature_color(magenta_tube_convexity, vec4(0.1333, 0.902, 1.0, 1.0), vec4(0.0392, 0.4157, 0.6039, 1.0));
+    vec4 cyan_tube_color = curvature_color(magenta_tube_convexity, vec4(0.1333, 0.902, 1.0, 1.0), vec4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = (((2.0 * magenta_tube_convexity) - 1.0) * 0.25);
-    float _e155 = profile_balanced_2_(_e73, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e158 = u_look.cyan;
-    LitLayer _e159 = light_apply(_e158, _e147, _e155);
-    vec4 _e164 = blend_add(_e117, _e159.color, _e159.tone, 1.0, true);
-    vec4 _e175 = curvature_color(magenta_tube_convexity, vec4(1.0, 0.1725, 0.6588, 1.0), vec4(0.5255, 0.0627, 0.4784, 1.0));
-    float _e177 = profile_balanced_2_(_e106, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e180 = u_look.magenta;
-    LitLayer _e181 = light_apply(_e180, _e175, _e177);
-    vec4 _e186 = blend_add(_e164, _e181.color, _e181.tone, 1.0, true);
-    vec4 _e197 = curvature_color(wet_magenta_convexity, vec4(0.2275, 0.6588, 0.7843, 1.0), vec4(0.0627, 0.2902, 0.4157, 1.0));
-    Light _e200 = u_look.cyan;
-    Angle _e203 = parametrization_specular_balanced(_e200, surface.normal, surface.view);
+    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    LitLayer cyan_tube_lit = light_apply(u_look.cyan, cyan_tube_color, cyan_tube_tone);
+    vec4 cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone, 1.0, true);
+    vec4 magenta_tube_color = curvature_color(magenta_tube_convexity, vec4(1.0, 0.1725, 0.6588, 1.0), vec4(0.5255, 0.0627, 0.4784, 1.0));
+    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    LitLayer magenta_tube_lit = light_apply(u_look.magenta, magenta_tube_color, magenta_tube_tone);
+    vec4 magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color, magenta_tube_lit.tone, 1.0, true);
+    vec4 wet_cyan_color = curvature_color(wet_magenta_convexity, vec4(0.2275, 0.6588, 0.7843, 1.0), vec4(0.0627, 0.2902, 0.4157, 1.0));
+    Angle wet_cyan_angle = parametrization_specular_balanced(u_look.cyan, surface.normal, surface.view);
     float wet_magenta_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.1);
-    float _e211 = profile_balanced_2_(_e203, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e214 = u_look.cyan;
-    LitLayer _e215 = light_apply(_e214, _e197, _e211);
-    vec4 _e220 = blend_add(_e186, _e215.color, _e215.tone, 1.0, true);
-    vec4 _e231 = curvature_color(wet_magenta_convexity, vec4(0.7843, 0.2275, 0.6039, 1.0), vec4(0.3529, 0.0627, 0.3765, 1.0));
-    Light _e234 = u_look.magenta;
-    Angle _e237 = parametrization_specular_balanced(_e234, surface.normal, surface.view);
-    float _e239 = profile_balanced_2_(_e237, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e242 = u_look.magenta;
-    LitLayer _e243 = light_apply(_e242, _e231, _e239);
-    vec4 _e248 = blend_add(_e220, _e243.color, _e243.tone, 1.0, true);
-    return _e248;
+    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    LitLayer wet_cyan_lit = light_apply(u_look.cyan, wet_cyan_color, wet_cyan_tone);
+    vec4 wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0, true);
+    vec4 wet_magenta_color = curvature_color(wet_magenta_convexity, vec4(0.7843, 0.2275, 0.6039, 1.0), vec4(0.3529, 0.0627, 0.3765, 1.0));
+    Angle wet_magenta_angle = parametrization_specular_balanced(u_look.magenta, surface.normal, surface.view);
+    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    LitLayer wet_magenta_lit = light_apply(u_look.magenta, wet_magenta_color, wet_magenta_tone);
+    vec4 wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone, 1.0, true);
+    return wet_magenta_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    vec4 _e26 = shade(surface_1);
-    out_color = _e26;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    out_color = shade(surface);
     return;
 }
 

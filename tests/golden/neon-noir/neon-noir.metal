@@ -1,6 +1,6 @@
 // Neon noir: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // neon-noir.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,26 +13,34 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light magenta;
     Light cyan;
     Light street;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -40,23 +48,37 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -73,42 +95,54 @@ constant ProfileShape magenta_haze_tone_shape = ProfileShape {0.9887711, 0.14943
 constant ProfileShape magenta_tube_tone_shape = ProfileShape {0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u};
 constant ProfileShape wet_magenta_tone_shape = ProfileShape {0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3, 0.19658314, 0.08474467, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s_2 = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
+    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
     float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
-    return metal::float2(s_2, c);
+    return metal::float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_3 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_1);
-    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_1)) ? metal::float2(0.0, 1.0) : upper;
+    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
+    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 Color curvature_color(
     float convexity,
     Color convex,
@@ -117,6 +151,9 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 Composite blend_add(
     Composite below,
     Color color,
@@ -127,31 +164,36 @@ Composite blend_add(
     return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_1,
+    Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light_1.direction), 0.5 * metal::length(normal + light_1.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal_1, view)) * normal_1) - view;
-    return Angle {0.5 * metal::length(d - light_2.direction), 0.5 * metal::length(d + light_2.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -160,136 +202,124 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if (w_1 < (0.1 * shape_2.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_3,
-    float w_2,
-    ProfileShape shape_3
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if (w_2 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_2;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
-    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift);
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    metal::float2 _e5 = sin_cos_quick(0.5 * shift_1);
-    Angle _e6 = angle_turned(angle_1, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
     float wet_magenta_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    Color _e30 = curvature_color(wet_magenta_convexity, metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
-    Light _e33 = look.street;
-    Angle _e35 = parametrization_diffuse_balanced(_e33, surface.normal);
+    Color the_room_color = curvature_color(wet_magenta_convexity, metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
+    Angle the_room_angle = parametrization_diffuse_balanced(look.street, surface.normal);
     float the_room_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.2;
-    float _e43 = profile_balanced(_e35, the_room_warp, the_room_tone_shape);
-    Light _e46 = look.street;
-    LitLayer _e47 = light_apply(_e46, _e30, _e43);
-    Composite _e57 = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0), _e47.color, _e47.tone, 1.0, true);
-    Color _e68 = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
-    Light _e71 = look.cyan;
-    Angle _e73 = parametrization_diffuse_balanced(_e71, surface.normal);
+    float the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
+    LitLayer the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
+    Composite the_room_blend = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
+    Color cyan_haze_color = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
+    Angle cyan_tube_angle = parametrization_diffuse_balanced(look.cyan, surface.normal);
     float magenta_haze_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.15;
-    float _e81 = profile_balanced(_e73, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e84 = look.cyan;
-    LitLayer _e85 = light_apply(_e84, _e68, _e81);
-    Composite _e90 = blend_add(_e57, _e85.color, _e85.tone, 1.0, true);
-    Color _e101 = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
-    Light _e104 = look.magenta;
-    Angle _e106 = parametrization_diffuse_balanced(_e104, surface.normal);
-    float _e108 = profile_balanced(_e106, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e111 = look.magenta;
-    LitLayer _e112 = light_apply(_e111, _e101, _e108);
-    Composite _e117 = blend_add(_e90, _e112.color, _e112.tone, 1.0, true);
+    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    LitLayer cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
+    Composite cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0, true);
+    Color magenta_haze_color = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
+    Angle magenta_tube_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
+    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    LitLayer magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
+    Composite magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color, magenta_haze_lit.tone, 1.0, true);
     float magenta_tube_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
-    Color _e147 = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
+    Color cyan_tube_color = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = ((2.0 * magenta_tube_convexity) - 1.0) * 0.25;
-    float _e155 = profile_balanced_2_(_e73, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e158 = look.cyan;
-    LitLayer _e159 = light_apply(_e158, _e147, _e155);
-    Composite _e164 = blend_add(_e117, _e159.color, _e159.tone, 1.0, true);
-    Color _e175 = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
-    float _e177 = profile_balanced_2_(_e106, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e180 = look.magenta;
-    LitLayer _e181 = light_apply(_e180, _e175, _e177);
-    Composite _e186 = blend_add(_e164, _e181.color, _e181.tone, 1.0, true);
-    Color _e197 = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
-    Light _e200 = look.cyan;
-    Angle _e203 = parametrization_specular_balanced(_e200, surface.normal, surface.view);
+    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    LitLayer cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
+    Composite cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone, 1.0, true);
+    Color magenta_tube_color = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
+    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    LitLayer magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
+    Composite magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color, magenta_tube_lit.tone, 1.0, true);
+    Color wet_cyan_color = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
+    Angle wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal, surface.view);
     float wet_magenta_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.1;
-    float _e211 = profile_balanced_2_(_e203, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e214 = look.cyan;
-    LitLayer _e215 = light_apply(_e214, _e197, _e211);
-    Composite _e220 = blend_add(_e186, _e215.color, _e215.tone, 1.0, true);
-    Color _e231 = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
-    Light _e234 = look.magenta;
-    Angle _e237 = parametrization_specular_balanced(_e234, surface.normal, surface.view);
-    float _e239 = profile_balanced_2_(_e237, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e242 = look.magenta;
-    LitLayer _e243 = light_apply(_e242, _e231, _e239);
-    Composite _e248 = blend_add(_e220, _e243.color, _e243.tone, 1.0, true);
-    return _e248;
+    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    LitLayer wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
+    Composite wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0, true);
+    Color wet_magenta_color = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
+    Angle wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal, surface.view);
+    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    LitLayer wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
+    Composite wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone, 1.0, true);
+    return wet_magenta_blend;
 }
 
 struct vs_mainInput {
@@ -303,15 +333,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -331,17 +358,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x};
-    metal::float4 _e26 = shade(surface_1, look);
-    return fs_mainOutput { _e26 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -7,21 +7,29 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec4 toned_canvas;
     vec2 viewport;
@@ -34,6 +42,7 @@ struct Look {
     vec4 half_tones_as_paint_b;
     vec4 umber_as_paint_b;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -46,34 +55,55 @@ struct Surface {
     float magnification;
     mat3x3 world_from_normal;
 };
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     vec2 place;
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     vec3 stretch;
 };
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
+/// Style of brush strokes.
 struct Brush {
+    /// Length of a stroke over its width.
     float aspect;
+    /// Size of a stroke over that of its cell.
     float size;
+    /// Scatter of strokes around the middles of their cells, 0 to 1.
     float scatter;
+    /// Range of the strokes' angles, both sides together, in radians.
     float turn;
     uint seed;
+    /// True if the picture's dark texels are paint; false if its opaque ones are.
     bool is_dark;
 };
+/// A stroke as seen at a place.
 struct Brushstroke {
+    /// Place in the stroke's picture, v down.
     vec2 uv;
+    /// Sine and cosine of the stroke's angle.
     vec2 turn;
+    /// Direction of the stroke: 1 forward, -1 backward.
     float way;
+    /// Share of the stroke that is there, 0 to 1.
     float share;
 };
 struct BrushStrokes {
+    /// The picture's own color, opaque; of bristles how light their paint lies, to multiply a
+    /// color by; black where no stroke is.
     vec4 color;
+    /// How much of the canvas is covered, from 0 to 1.
     float ink;
 };
 struct MarkPlace {
+    /// Along the strokes, and across them.
     vec2 place;
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
 struct Varyings {
@@ -83,6 +113,7 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
 const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 
@@ -103,11 +134,14 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec4 finite_vec4_(vec4 v) {
+/// v with 0 for each component that is NaN or infinite.
+vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
     float f = (x - whole);
@@ -115,85 +149,100 @@ float exp2_stable(float x) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-vec2 sin_cos_eighth(float x_2) {
-    float s = (x_2 * 0.9088517);
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+vec2 sin_cos_eighth(float x) {
+    float s = (x * 0.9088517);
     return vec2(s, 0.73168886);
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
-float bounded(float x_3) {
-    uint bits_1 = floatBitsToUint(x_3);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_2 = floatBitsToUint(v_3);
-    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
-    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
+/// [`bounded`], component by component.
+vec3 bounded_vec3(vec3 v) {
+    uvec3 bits = floatBitsToUint(v);
+    uvec3 magnitude = (bits & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_4) {
-    uvec4 bits_3 = floatBitsToUint(v_4);
-    uvec4 magnitude_2 = (bits_3 & uvec4(2147483647u));
-    vec4 largest_2 = uintBitsToFloat(((bits_3 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_1 = mix(vec4(0.0), largest_2, equal(magnitude_2, uvec4(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
+/// [`bounded`], component by component.
+vec4 bounded_vec4(vec4 v) {
+    uvec4 bits = floatBitsToUint(v);
+    uvec4 magnitude = (bits & uvec4(2147483647u));
+    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
 
-vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
-    vec4 _e4 = bounded_vec4_((b - a));
-    vec4 _e14 = bounded_vec4_(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
-    return _e14;
+/// [`mixed`], component by component.
+vec4 mixed_vec4(vec4 a, vec4 b, float t) {
+    vec4 d = bounded_vec4((b - a));
+    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float place_between(float x_4, float low, float high) {
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high) {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_4 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    float _e13 = bounded(((x_4 - low) / span));
-    return _e13;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_5, float low_1, float high_1) {
-    float _e3 = place_between(x_5, low_1, high_1);
-    float t_1 = clamp(_e3, 0.0, 1.0);
-    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(place_between(x, low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-vec4 color_mixed(vec4 a_1, vec3 blended, float factor) {
-    vec3 _e3 = bounded_vec3_(blended);
-    vec3 _e6 = bounded_vec3_((_e3 - a_1.xyz));
-    vec3 _e10 = bounded_vec3_((_e3 - (0.0 * _e6)));
-    return vec4(_e10, 1.0);
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
+vec4 color_mixed(vec4 a, vec3 blended, float factor) {
+    vec3 b = bounded_vec3(blended);
+    return vec4(bounded_vec3((b - (0.0 * bounded_vec3((b - a.xyz))))), 1.0);
 }
 
+/// Premultiplied RGBA of a straight color.
 vec4 premultiplied(vec4 color) {
     return vec4((color.xyz * color.w), color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -201,914 +250,797 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 mix_colors_normal(vec4 a_2, vec4 b_1, float factor_1) {
-    vec4 _e3 = bounded_vec4_(a_2);
-    vec4 _e4 = bounded_vec4_(b_1);
-    vec4 _e8 = mixed_vec4_(_e3, _e4, clamp(factor_1, 0.0, 1.0));
-    return _e8;
+/// Mix colors
+///
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
+vec4 mix_colors_normal(vec4 a, vec4 b, float factor) {
+    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), clamp(factor, 0.0, 1.0));
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 z_1 = (toward * inversesqrt(dot(toward, toward)));
-    vec3 leaning = cross(up, z_1);
-    float square_1 = dot(leaning, leaning);
-    vec3 aside = ((abs(z_1.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_3 = ((square_1 > 1e-8) ? leaning : cross(aside, z_1));
-    vec3 _e31 = normalize_moderate((across_3 - (dot(across_3, z_1) * z_1)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e31, cross(z_1, _e31), z_1);
+    vec3 z = (toward * inversesqrt(dot(toward, toward)));
+    vec3 leaning = cross(up, z);
+    float square = dot(leaning, leaning);
+    vec3 aside = ((abs(z.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
+    vec3 across = ((square > 1e-8) ? leaning : cross(aside, z));
+    vec3 x = normalize_moderate((across - (dot(across, z) * z)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(x, cross(z, x), z);
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
+vec4 output_(vec4 color) {
+    return finite_vec4(straight(color));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_5 = uvec3(0u);
-    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_5;
-    uvec3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_5;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
     return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
+    // Clip space is 2 high.
     return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
-vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
-    float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
+vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
+    float size = size_on_screen(-(origin.z), perspective, scale);
+    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
     vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
-uint blue_index(ivec2 cell_1) {
-    uvec2 at_6 = (uvec2(cell_1) & uvec2(31u));
-    return ((8u * at_6.y) + (at_6.x >> 2u));
+/// Index of the number of the repeating tile that holds a cell's rank.
+uint blue_index(ivec2 cell) {
+    uvec2 at = (uvec2(cell) & uvec2(31u));
+    return ((8u * at.y) + (at.x >> 2u));
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 turn_6 = vec2(0.0, 1.0);
-    vec3 _e12 = bounded_vec3_(((turn_6.y * along) + (turn_6.x * across)));
-    vec3 _e18 = bounded_vec3_(((turn_6.y * across) - (turn_6.x * along)));
-    vec2 turned = vec2(((turn_6.y * place.x) + (turn_6.x * place.y)), ((turn_6.y * place.y) - (turn_6.x * place.x)));
+    vec2 turn = vec2(0.0, 1.0);
+    vec3 x = bounded_vec3(((turn.y * along) + (turn.x * across)));
+    vec3 y = bounded_vec3(((turn.y * across) - (turn.x * along)));
+    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec3 stretch_9 = clamp(vec3(dot(_e12, _e12), dot(_e12, _e18), dot(_e18, _e18)), -(most), most);
-    return StretchedPlace(turned, stretch_9);
+    vec3 stretch = clamp(vec3(dot(x, x), dot(x, y), dot(y, y)), -(most), most);
+    return StretchedPlace(turned, stretch);
 }
 
-StretchedPlace mark_place_of_2_(vec2 place_1, vec3 along_1, vec3 across_1, float angle_1) {
-    vec2 _e5 = sin_cos_eighth(0.75);
-    vec2 turn_7 = clamp(_e5, vec2(-1.0), vec2(1.0));
-    vec3 x_6 = ((turn_7.y * along_1) + (turn_7.x * across_1));
-    vec3 y = ((turn_7.y * across_1) - (turn_7.x * along_1));
-    vec2 turned_1 = vec2(((turn_7.y * place_1.x) + (turn_7.x * place_1.y)), ((turn_7.y * place_1.y) - (turn_7.x * place_1.x)));
-    vec3 stretch_10 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    return StretchedPlace(turned_1, stretch_10);
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
+StretchedPlace mark_place_of_2(vec2 place, vec3 along, vec3 across, float angle) {
+    vec2 turn = clamp(sin_cos_eighth(0.75), vec2(-1.0), vec2(1.0));
+    vec3 x = ((turn.y * along) + (turn.x * across));
+    vec3 y = ((turn.y * across) - (turn.x * along));
+    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
+    return StretchedPlace(turned, stretch);
 }
 
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
     float facing = dot(normal, view);
     return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
 }
 
-StretchedPlace place_on_surface(vec2 place_2, vec3 along_2, vec3 across_2, vec3 normal_1, vec3 view_1, float magnification, float angle_2) {
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
+StretchedPlace place_on_surface(vec2 place, vec3 along, vec3 across, vec3 normal, vec3 view, float magnification, float angle) {
     float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
-    vec3 _e12 = gradient_on_picture(along_2, normal_1, view_1);
-    vec3 _e14 = bounded_vec3_((_e12 * height));
-    vec3 _e15 = gradient_on_picture(across_2, normal_1, view_1);
-    vec3 _e17 = bounded_vec3_((_e15 * height));
-    StretchedPlace _e18 = mark_place_of(place_2, _e14, _e17, angle_2);
-    return _e18;
+    vec3 x = bounded_vec3((gradient_on_picture(along, normal, view) * height));
+    vec3 y = bounded_vec3((gradient_on_picture(across, normal, view) * height));
+    return mark_place_of(place, x, y, angle);
 }
 
-StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_3) {
-    mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
-    vec2 place_11 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
-    vec3 along_3 = (world_from_normal * _e11[0]);
-    vec3 across_4 = (world_from_normal * _e11[2]);
-    StretchedPlace _e21 = place_on_surface(place_11, along_3, across_4, normal_2, view_2, magnification_1, angle_3);
-    return _e21;
+/// A place on a surface for strokes across an axis of the object.
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal, vec3 view, float magnification, float angle) {
+    mat3x3 axes = axes_around(axis, vec3(0.0, 1.0, 0.0));
+    vec2 place = vec2(dot(position, axes[0]), dot(position, axes[2]));
+    vec3 along = (world_from_normal * axes[0]);
+    vec3 across = (world_from_normal * axes[2]);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
-    vec2 p_6 = clamp((place_3 * scale_2), vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e21 = bounded_vec3_(stretch);
-    vec3 s_1 = clamp(_e21, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    vec3 s = clamp(bounded_vec3(stretch), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
 }
 
-SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count_1) {
-    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
-    float scale_3 = (is_pixel_1 ? (count_1 / max(viewport_2.y, 1.0)) : count_1);
-    vec2 p_7 = clamp((place_4 * scale_3), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : stretch_1));
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced_2(vec2 place, vec3 stretch, vec2 viewport, float count) {
+    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-float area_square(vec3 stretch_2) {
-    float sum = (stretch_2.x + stretch_2.z);
-    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum * sum) / 66.0));
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
+float area_square(vec3 stretch) {
+    float sum = (stretch.x + stretch.z);
+    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
 }
 
+/// A step on the canvas as a step in a stroke's picture.
 vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
-    vec2 turned_2 = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
-    return (turned_2 * vec2((stroke.way / (style.size * style.aspect)), (-1.0 / style.size)));
+    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
+    return (turned * vec2((stroke.way / (style.size * style.aspect)), (-1.0 / style.size)));
 }
 
-Brushstroke brush_stroke(vec2 p, ivec2 cell_2, int zoom, float drawn, Brush style_1) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
-    vec3 chance = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell_2) + vec2(0.5)) + (style_1.scatter * (chance.xy - vec2(0.5)))));
-    float x_7 = (0.5 * (chance.z - 0.5));
-    vec2 turn_8 = vec2(sin(x_7), cos(x_7));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
-    float way = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_3 = Brushstroke(vec2(0.5), turn_8, way, 0.0);
-    vec2 _e67 = brush_turned((offset * vec2(style_1.aspect, 1.0)), stroke_3, style_1);
-    vec2 uv_1 = (vec2(0.5) + _e67);
-    vec2 from_edge = min(uv_1, (vec2(1.0) - uv_1));
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (0.5 * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
     float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style_1.scatter)));
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
     float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
-    return Brushstroke(uv_1, turn_8, way, share);
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec3 bristle(float row, uint seed_2) {
+/// Three random numbers of a bristle, 0 to 1; across a stroke they go over smoothly into those of
+/// the next bristle.
+vec3 bristle(float row, uint seed) {
     float first = floor(row);
-    float t_2 = (row - first);
-    uvec3 _e8 = lattice_hash(ivec3(int(first), 0, 0), seed_2);
-    vec3 _e9 = unit_of_hash(_e8);
-    uvec3 _e16 = lattice_hash(ivec3((int(first) + 1), 0, 0), seed_2);
-    vec3 _e17 = unit_of_hash(_e16);
-    return mix(_e9, _e17, ((t_2 * t_2) * (3.0 - (2.0 * t_2))));
+    float t = (row - first);
+    vec3 a = unit_of_hash(lattice_hash(ivec3(int(first), 0, 0), seed));
+    vec3 b = unit_of_hash(lattice_hash(ivec3((int(first) + 1), 0, 0), seed));
+    return mix(a, b, ((t * t) * (3.0 - (2.0 * t))));
 }
 
-vec2 bristles(vec2 uv, float width, uint seed_3) {
-    float across_5 = ((2.0 * uv.y) - 1.0);
-    uvec3 _e19 = hash_pcg3d((uvec3(ivec3(0, 1, 0)) + (seed_3 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    vec3 own = (vec3((_e19 >> uvec3(8u))) * 5.9604645e-8);
+/// A stroke of a stiff brush at the place `uv` in it: lightness of its paint in x, coverage in y.
+/// `width` is a pixel's share of the stroke's width.
+vec2 bristles(vec2 uv, float width, uint seed) {
+    float across = ((2.0 * uv.y) - 1.0);
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(0, 1, 0)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    vec3 own = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
     float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
-    vec3 _e38 = bristle((11.0 * uv.y), seed_3);
-    vec3 chance_1 = mix(vec3(0.5), _e38, seen);
-    float start = ((0.03 + (0.12 * chance_1.x)) + ((0.09 * across_5) * across_5));
-    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance_1.y)) - ((0.12 * across_5) * across_5));
-    float _e65 = eased(uv.x, start, (start + 0.05));
-    float _e69 = eased(uv.x, (end - 0.1), end);
-    float along_4 = (_e65 * (1.0 - _e69));
-    float side = (1.0 - smoothstep(0.78, 0.95, abs(across_5)));
-    float dry = smoothstep(0.85, 1.25, (uv.x + (0.55 * chance_1.z)));
-    float shade_1 = (((0.8 + (0.16 * own.z)) + (0.208 * (chance_1.z - 0.5))) - (0.05 * uv.x));
-    return vec2(clamp(shade_1, 0.0, 1.0), ((along_4 * side) * (1.0 - (0.9 * dry))));
+    vec3 chance = mix(vec3(0.5), bristle((11.0 * uv.y), seed), seen);
+    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across) * across));
+    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance.y)) - ((0.12 * across) * across));
+    float along = (eased(uv.x, start, (start + 0.05)) * (1.0 - eased(uv.x, (end - 0.1), end)));
+    float side = (1.0 - smoothstep(0.78, 0.95, abs(across)));
+    float dry = smoothstep(0.85, 1.25, (uv.x + (0.55 * chance.z)));
+    float shade = (((0.8 + (0.16 * own.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x));
+    return vec2(clamp(shade, 0.0, 1.0), ((along * side) * (1.0 - (0.9 * dry))));
 }
 
-vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
     int i = 0;
     int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float _e8 = area_square(at.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_6 = floor(level);
-    float f_1 = (level - zoom_6);
-    float _e22 = exp2_stable((-2.0 * f_1));
-    float fine = ((1.0 - ((1.0 - f_1) * _e22)) / (4.0 * _e22));
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e182 = octave;
-            octave = (_e182 + 1);
+            octave = (octave + 1);
         }
         loop_init = false;
-        int _e39 = octave;
-        if (!((_e39 < 2))) {
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave;
-        float amount = (ink * ((_e45 == 1) ? fine : (1.0 - f_1)));
-        int _e51 = octave;
-        float scale_4 = uintBitsToFloat((uint(((int(zoom_6) + _e51) + 127)) << 23u));
-        vec2 p_8 = (clamp((at.place * scale_4), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
-        ivec2 corner = ivec2(floor(p_8));
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p));
         ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                int _e179 = i;
-                i = (_e179 + 1);
+                i = (i + 1);
             }
             loop_init_1 = false;
-            int _e82 = i;
-            if (!((_e82 < 9))) {
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i;
-            int _e89 = i;
-            ivec2 cell_8 = ((corner + (((ivec2((_e86 % 3), (_e89 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave;
-            ivec2 turning = (cell_8 + ivec2(1, (7 * (int(zoom_6) + _e106))));
-            uint _e112 = blue_index(turning);
-            uint _e114 = tile[_e112];
-            float late = (0.96875 * ((float(((_e114 >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share_1 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(1, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave;
-            Brushstroke _e142 = brush_stroke(p_8, cell_8, (int(zoom_6) + _e140), share_1, style_2);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx * scale_4), _e142, style_2);
-                vec2 _e149 = brush_turned((dy * scale_4), _e142, style_2);
-                int _e151 = octave;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_8, (int(zoom_6) + _e151))) + uvec3(3668340011u, 2445500225u, 1209535135u)));
-                uint own_1 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_1);
-                float cover = (_e142.share * _e167.y);
-                vec2 _e174 = paint;
-                paint = (vec2((_e167.x * cover), cover) + (_e174 * (1.0 - cover)));
+            Brushstroke stroke = brush_stroke(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned((dx * scale), stroke, style);
+                vec2 gy = brush_turned((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint;
-    return _e185;
+    return paint;
 }
 
-vec2 brush_turned_2_(vec2 step_1, Brushstroke stroke_1, Brush style_3) {
-    vec2 turned_3 = vec2(((stroke_1.turn.y * step_1.x) + (stroke_1.turn.x * step_1.y)), ((stroke_1.turn.y * step_1.y) - (stroke_1.turn.x * step_1.x)));
-    return (turned_3 * vec2((stroke_1.way / (1.5 * style_3.aspect)), -0.6666667));
+/// A step on the canvas as a step in a stroke's picture.
+vec2 brush_turned_2(vec2 step_, Brushstroke stroke, Brush style) {
+    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
+    return (turned * vec2((stroke.way / (1.5 * style.aspect)), -0.6666667));
 }
 
-Brushstroke brush_stroke_2_(vec2 p_1, ivec2 cell_3, int zoom_1, float drawn_1, Brush style_4) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(3041712726u, 596033154u, 2419070270u)));
-    vec3 chance_2 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset_1 = (p_1 - ((vec2(cell_3) + vec2(0.5)) + (style_4.scatter * (chance_2.xy - vec2(0.5)))));
-    float x_8 = (0.5 * (chance_2.z - 0.5));
-    vec2 turn_9 = vec2(sin(x_8), cos(x_8));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
-    float way_1 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_4 = Brushstroke(vec2(0.5), turn_9, way_1, 0.0);
-    vec2 _e67 = brush_turned_2_((offset_1 * vec2(style_4.aspect, 1.0)), stroke_4, style_4);
-    vec2 uv_2 = (vec2(0.5) + _e67);
-    vec2 from_edge_1 = min(uv_2, (vec2(1.0) - uv_2));
-    float inside_1 = clamp((64.0 * min(from_edge_1.x, from_edge_1.y)), 0.0, 1.0);
-    float far_1 = (max(abs(offset_1.x), abs(offset_1.y)) / (1.0 - (0.5 * style_4.scatter)));
-    float share_2 = ((drawn_1 * inside_1) * (1.0 - smoothstep(0.85, 1.0, far_1)));
-    return Brushstroke(uv_2, turn_9, way_1, share_2);
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke_2(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3041712726u, 596033154u, 2419070270u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (0.5 * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned_2((offset * vec2(style.aspect, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
+    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5) {
-    int i_1 = 0;
-    int octave_1 = 0;
-    vec2 paint_1 = vec2(0.0);
-    uint tile_1[256] = BLUE_TILE;
-    vec2 dx_1 = dFdx(at_1.place);
-    vec2 dy_1 = dFdy(at_1.place);
-    float _e8 = area_square(at_1.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level_1 = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_7 = floor(level_1);
-    float f_2 = (level_1 - zoom_7);
-    float _e22 = exp2_stable((-2.0 * f_2));
-    float fine_1 = ((1.0 - ((1.0 - f_2) * _e22)) / (4.0 * _e22));
-    bool loop_init_2 = true;
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
+    int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
+    vec2 dx = dFdx(at.place);
+    vec2 dy = dFdy(at.place);
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_2) {
-            int _e182 = octave_1;
-            octave_1 = (_e182 + 1);
+        if (!loop_init) {
+            octave = (octave + 1);
         }
-        loop_init_2 = false;
-        int _e39 = octave_1;
-        if (!((_e39 < 2))) {
+        loop_init = false;
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave_1;
-        float amount_1 = (ink_1 * ((_e45 == 1) ? fine_1 : (1.0 - f_2)));
-        int _e51 = octave_1;
-        float scale_5 = uintBitsToFloat((uint(((int(zoom_7) + _e51) + 127)) << 23u));
-        vec2 p_9 = (clamp((at_1.place * scale_5), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_5.aspect, 1.0));
-        ivec2 corner_1 = ivec2(floor(p_9));
-        ivec2 phase_1 = (((corner_1 % ivec2(3)) + ivec2(3)) % ivec2(3));
-        i_1 = 0;
-        bool loop_init_3 = true;
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
         while(true) {
-            if (!loop_init_3) {
-                int _e179 = i_1;
-                i_1 = (_e179 + 1);
+            if (!loop_init_1) {
+                i = (i + 1);
             }
-            loop_init_3 = false;
-            int _e82 = i_1;
-            if (!((_e82 < 9))) {
+            loop_init_1 = false;
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i_1;
-            int _e89 = i_1;
-            ivec2 cell_9 = ((corner_1 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_1) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave_1;
-            ivec2 turning_1 = (cell_9 + ivec2(6, (7 * (int(zoom_7) + _e106))));
-            uint _e112 = blue_index(turning_1);
-            uint _e114 = tile_1[_e112];
-            float late_1 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_3 = clamp(((amount_1 - late_1) * 32.0), 0.0, 1.0);
-            if ((share_3 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(6, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave_1;
-            Brushstroke _e142 = brush_stroke_2_(p_9, cell_9, (int(zoom_7) + _e140), share_3, style_5);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_2_((dx_1 * scale_5), _e142, style_5);
-                vec2 _e149 = brush_turned_2_((dy_1 * scale_5), _e142, style_5);
-                int _e151 = octave_1;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_9, (int(zoom_7) + _e151))) + uvec3(4055616968u, 794710872u, 362115496u)));
-                uint own_2 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_2);
-                float cover_1 = (_e142.share * _e167.y);
-                vec2 _e174 = paint_1;
-                paint_1 = (vec2((_e167.x * cover_1), cover_1) + (_e174 * (1.0 - cover_1)));
+            Brushstroke stroke = brush_stroke_2(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned_2((dx * scale), stroke, style);
+                vec2 gy = brush_turned_2((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(4055616968u, 794710872u, 362115496u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint_1;
-    return _e185;
+    return paint;
 }
 
-Brushstroke brush_stroke_3_(vec2 p_2, ivec2 cell_4, int zoom_2, float drawn_2, Brush style_6) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(1013904242u, 198677718u, 2238012522u)));
-    vec3 chance_3 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset_2 = (p_2 - ((vec2(cell_4) + vec2(0.5)) + (style_6.scatter * (chance_3.xy - vec2(0.5)))));
-    float x_9 = (0.5 * (chance_3.z - 0.5));
-    vec2 turn_10 = vec2(sin(x_9), cos(x_9));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
-    float way_2 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_5 = Brushstroke(vec2(0.5), turn_10, way_2, 0.0);
-    vec2 _e67 = brush_turned((offset_2 * vec2(style_6.aspect, 1.0)), stroke_5, style_6);
-    vec2 uv_3 = (vec2(0.5) + _e67);
-    vec2 from_edge_2 = min(uv_3, (vec2(1.0) - uv_3));
-    float inside_2 = clamp((64.0 * min(from_edge_2.x, from_edge_2.y)), 0.0, 1.0);
-    float far_2 = (max(abs(offset_2.x), abs(offset_2.y)) / (1.0 - (0.5 * style_6.scatter)));
-    float share_4 = ((drawn_2 * inside_2) * (1.0 - smoothstep(0.85, 1.0, far_2)));
-    return Brushstroke(uv_3, turn_10, way_2, share_4);
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke_3(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (0.5 * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
+    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7) {
-    int i_2 = 0;
-    int octave_2 = 0;
-    vec2 paint_2 = vec2(0.0);
-    uint tile_2[256] = BLUE_TILE;
-    vec2 dx_2 = dFdx(at_2.place);
-    vec2 dy_2 = dFdy(at_2.place);
-    float _e8 = area_square(at_2.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level_2 = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_8 = floor(level_2);
-    float f_3 = (level_2 - zoom_8);
-    float _e22 = exp2_stable((-2.0 * f_3));
-    float fine_2 = ((1.0 - ((1.0 - f_3) * _e22)) / (4.0 * _e22));
-    bool loop_init_4 = true;
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
+    int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
+    vec2 dx = dFdx(at.place);
+    vec2 dy = dFdy(at.place);
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_4) {
-            int _e182 = octave_2;
-            octave_2 = (_e182 + 1);
+        if (!loop_init) {
+            octave = (octave + 1);
         }
-        loop_init_4 = false;
-        int _e39 = octave_2;
-        if (!((_e39 < 2))) {
+        loop_init = false;
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave_2;
-        float amount_2 = (ink_2 * ((_e45 == 1) ? fine_2 : (1.0 - f_3)));
-        int _e51 = octave_2;
-        float scale_6 = uintBitsToFloat((uint(((int(zoom_8) + _e51) + 127)) << 23u));
-        vec2 p_10 = (clamp((at_2.place * scale_6), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_7.aspect, 1.0));
-        ivec2 corner_2 = ivec2(floor(p_10));
-        ivec2 phase_2 = (((corner_2 % ivec2(3)) + ivec2(3)) % ivec2(3));
-        i_2 = 0;
-        bool loop_init_5 = true;
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
         while(true) {
-            if (!loop_init_5) {
-                int _e179 = i_2;
-                i_2 = (_e179 + 1);
+            if (!loop_init_1) {
+                i = (i + 1);
             }
-            loop_init_5 = false;
-            int _e82 = i_2;
-            if (!((_e82 < 9))) {
+            loop_init_1 = false;
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i_2;
-            int _e89 = i_2;
-            ivec2 cell_10 = ((corner_2 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_2) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave_2;
-            ivec2 turning_2 = (cell_10 + ivec2(2, (7 * (int(zoom_8) + _e106))));
-            uint _e112 = blue_index(turning_2);
-            uint _e114 = tile_2[_e112];
-            float late_2 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_5 = clamp(((amount_2 - late_2) * 32.0), 0.0, 1.0);
-            if ((share_5 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(2, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave_2;
-            Brushstroke _e142 = brush_stroke_3_(p_10, cell_10, (int(zoom_8) + _e140), share_5, style_7);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx_2 * scale_6), _e142, style_7);
-                vec2 _e149 = brush_turned((dy_2 * scale_6), _e142, style_7);
-                int _e151 = octave_2;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_10, (int(zoom_8) + _e151))) + uvec3(2027808484u, 397355436u, 181057748u)));
-                uint own_3 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_3);
-                float cover_2 = (_e142.share * _e167.y);
-                vec2 _e174 = paint_2;
-                paint_2 = (vec2((_e167.x * cover_2), cover_2) + (_e174 * (1.0 - cover_2)));
+            Brushstroke stroke = brush_stroke_3(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned((dx * scale), stroke, style);
+                vec2 gy = brush_turned((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(2027808484u, 397355436u, 181057748u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint_2;
-    return _e185;
+    return paint;
 }
 
-vec2 brush_turned_3_(vec2 step_2, Brushstroke stroke_2, Brush style_8) {
-    vec2 turned_4 = vec2(((stroke_2.turn.y * step_2.x) + (stroke_2.turn.x * step_2.y)), ((stroke_2.turn.y * step_2.y) - (stroke_2.turn.x * step_2.x)));
-    return (turned_4 * vec2((stroke_2.way / 4.5), -0.6666667));
+/// A step on the canvas as a step in a stroke's picture.
+vec2 brush_turned_3(vec2 step_, Brushstroke stroke, Brush style) {
+    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
+    return (turned * vec2((stroke.way / 4.5), -0.6666667));
 }
 
-Brushstroke brush_stroke_4_(vec2 p_3, ivec2 cell_5, int zoom_3, float drawn_3, Brush style_9) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
-    vec3 chance_4 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset_3 = (p_3 - ((vec2(cell_5) + vec2(0.5)) + (style_9.scatter * (chance_4.xy - vec2(0.5)))));
-    float x_10 = (0.5 * (chance_4.z - 0.5));
-    vec2 turn_11 = vec2(sin(x_10), cos(x_10));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(2027808484u, 397355436u, 181057748u)));
-    float way_3 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_6 = Brushstroke(vec2(0.5), turn_11, way_3, 0.0);
-    vec2 _e67 = brush_turned_3_((offset_3 * vec2(3.0, 1.0)), stroke_6, style_9);
-    vec2 uv_4 = (vec2(0.5) + _e67);
-    vec2 from_edge_3 = min(uv_4, (vec2(1.0) - uv_4));
-    float inside_3 = clamp((64.0 * min(from_edge_3.x, from_edge_3.y)), 0.0, 1.0);
-    float far_3 = (max(abs(offset_3.x), abs(offset_3.y)) / (1.0 - (0.5 * style_9.scatter)));
-    float share_6 = ((drawn_3 * inside_3) * (1.0 - smoothstep(0.85, 1.0, far_3)));
-    return Brushstroke(uv_4, turn_11, way_3, share_6);
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke_4(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (0.5 * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2027808484u, 397355436u, 181057748u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned_3((offset * vec2(3.0, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
+    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10) {
-    int i_3 = 0;
-    int octave_3 = 0;
-    vec2 paint_3 = vec2(0.0);
-    uint tile_3[256] = BLUE_TILE;
-    vec2 dx_3 = dFdx(at_3.place);
-    vec2 dy_3 = dFdy(at_3.place);
-    float _e8 = area_square(at_3.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level_3 = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_9 = floor(level_3);
-    float f_4 = (level_3 - zoom_9);
-    float _e22 = exp2_stable((-2.0 * f_4));
-    float fine_3 = ((1.0 - ((1.0 - f_4) * _e22)) / (4.0 * _e22));
-    bool loop_init_6 = true;
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
+    int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
+    vec2 dx = dFdx(at.place);
+    vec2 dy = dFdy(at.place);
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_6) {
-            int _e182 = octave_3;
-            octave_3 = (_e182 + 1);
+        if (!loop_init) {
+            octave = (octave + 1);
         }
-        loop_init_6 = false;
-        int _e39 = octave_3;
-        if (!((_e39 < 2))) {
+        loop_init = false;
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave_3;
-        float amount_3 = (ink_3 * ((_e45 == 1) ? fine_3 : (1.0 - f_4)));
-        int _e51 = octave_3;
-        float scale_7 = uintBitsToFloat((uint(((int(zoom_9) + _e51) + 127)) << 23u));
-        vec2 p_11 = (clamp((at_3.place * scale_7), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
-        ivec2 corner_3 = ivec2(floor(p_11));
-        ivec2 phase_3 = (((corner_3 % ivec2(3)) + ivec2(3)) % ivec2(3));
-        i_3 = 0;
-        bool loop_init_7 = true;
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
+        ivec2 corner = ivec2(floor(p));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
         while(true) {
-            if (!loop_init_7) {
-                int _e179 = i_3;
-                i_3 = (_e179 + 1);
+            if (!loop_init_1) {
+                i = (i + 1);
             }
-            loop_init_7 = false;
-            int _e82 = i_3;
-            if (!((_e82 < 9))) {
+            loop_init_1 = false;
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i_3;
-            int _e89 = i_3;
-            ivec2 cell_11 = ((corner_3 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_3) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave_3;
-            ivec2 turning_3 = (cell_11 + ivec2(3, (7 * (int(zoom_9) + _e106))));
-            uint _e112 = blue_index(turning_3);
-            uint _e114 = tile_3[_e112];
-            float late_3 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_3.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_7 = clamp(((amount_3 - late_3) * 32.0), 0.0, 1.0);
-            if ((share_7 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(3, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave_3;
-            Brushstroke _e142 = brush_stroke_4_(p_11, cell_11, (int(zoom_9) + _e140), share_7, style_10);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_3_((dx_3 * scale_7), _e142, style_10);
-                vec2 _e149 = brush_turned_3_((dy_3 * scale_7), _e142, style_10);
-                int _e151 = octave_3;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_11, (int(zoom_9) + _e151))) + uvec3(387276957u, 2644177943u, 3447547657u)));
-                uint own_4 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_4);
-                float cover_3 = (_e142.share * _e167.y);
-                vec2 _e174 = paint_3;
-                paint_3 = (vec2((_e167.x * cover_3), cover_3) + (_e174 * (1.0 - cover_3)));
+            Brushstroke stroke = brush_stroke_4(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned_3((dx * scale), stroke, style);
+                vec2 gy = brush_turned_3((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(387276957u, 2644177943u, 3447547657u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint_3;
-    return _e185;
+    return paint;
 }
 
-Brushstroke brush_stroke_5_(vec2 p_4, ivec2 cell_6, int zoom_4, float drawn_4, Brush style_11) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(2027808484u, 397355436u, 181057748u)));
-    vec3 chance_5 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset_4 = (p_4 - ((vec2(cell_6) + vec2(0.5)) + (style_11.scatter * (chance_5.xy - vec2(0.5)))));
-    float x_11 = (style_11.turn * (chance_5.z - 0.5));
-    vec2 turn_12 = vec2(sin(x_11), cos(x_11));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(387276957u, 2644177943u, 3447547657u)));
-    float way_4 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_7 = Brushstroke(vec2(0.5), turn_12, way_4, 0.0);
-    vec2 _e67 = brush_turned((offset_4 * vec2(style_11.aspect, 1.0)), stroke_7, style_11);
-    vec2 uv_5 = (vec2(0.5) + _e67);
-    vec2 from_edge_4 = min(uv_5, (vec2(1.0) - uv_5));
-    float inside_4 = clamp((64.0 * min(from_edge_4.x, from_edge_4.y)), 0.0, 1.0);
-    float far_4 = (max(abs(offset_4.x), abs(offset_4.y)) / (1.0 - (0.5 * style_11.scatter)));
-    float share_8 = ((drawn_4 * inside_4) * (1.0 - smoothstep(0.85, 1.0, far_4)));
-    return Brushstroke(uv_5, turn_12, way_4, share_8);
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke_5(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2027808484u, 397355436u, 181057748u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (style.turn * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(387276957u, 2644177943u, 3447547657u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
+    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12) {
-    int i_4 = 0;
-    int octave_4 = 0;
-    vec2 paint_4 = vec2(0.0);
-    uint tile_4[256] = BLUE_TILE;
-    vec2 dx_4 = dFdx(at_4.place);
-    vec2 dy_4 = dFdy(at_4.place);
-    float _e8 = area_square(at_4.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level_4 = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_10 = floor(level_4);
-    float f_5 = (level_4 - zoom_10);
-    float _e22 = exp2_stable((-2.0 * f_5));
-    float fine_4 = ((1.0 - ((1.0 - f_5) * _e22)) / (4.0 * _e22));
-    bool loop_init_8 = true;
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
+    int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
+    vec2 dx = dFdx(at.place);
+    vec2 dy = dFdy(at.place);
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_8) {
-            int _e182 = octave_4;
-            octave_4 = (_e182 + 1);
+        if (!loop_init) {
+            octave = (octave + 1);
         }
-        loop_init_8 = false;
-        int _e39 = octave_4;
-        if (!((_e39 < 2))) {
+        loop_init = false;
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave_4;
-        float amount_4 = (ink_4 * ((_e45 == 1) ? fine_4 : (1.0 - f_5)));
-        int _e51 = octave_4;
-        float scale_8 = uintBitsToFloat((uint(((int(zoom_10) + _e51) + 127)) << 23u));
-        vec2 p_12 = (clamp((at_4.place * scale_8), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_12.aspect, 1.0));
-        ivec2 corner_4 = ivec2(floor(p_12));
-        ivec2 phase_4 = (((corner_4 % ivec2(3)) + ivec2(3)) % ivec2(3));
-        i_4 = 0;
-        bool loop_init_9 = true;
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
         while(true) {
-            if (!loop_init_9) {
-                int _e179 = i_4;
-                i_4 = (_e179 + 1);
+            if (!loop_init_1) {
+                i = (i + 1);
             }
-            loop_init_9 = false;
-            int _e82 = i_4;
-            if (!((_e82 < 9))) {
+            loop_init_1 = false;
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i_4;
-            int _e89 = i_4;
-            ivec2 cell_12 = ((corner_4 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_4) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave_4;
-            ivec2 turning_4 = (cell_12 + ivec2(4, (7 * (int(zoom_10) + _e106))));
-            uint _e112 = blue_index(turning_4);
-            uint _e114 = tile_4[_e112];
-            float late_4 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_4.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_9 = clamp(((amount_4 - late_4) * 32.0), 0.0, 1.0);
-            if ((share_9 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(4, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave_4;
-            Brushstroke _e142 = brush_stroke_5_(p_12, cell_12, (int(zoom_10) + _e140), share_9, style_12);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned((dx_4 * scale_8), _e142, style_12);
-                vec2 _e149 = brush_turned((dy_4 * scale_8), _e142, style_12);
-                int _e151 = octave_4;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_12, (int(zoom_10) + _e151))) + uvec3(3041712726u, 596033154u, 2419070270u)));
-                uint own_5 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_5);
-                float cover_4 = (_e142.share * _e167.y);
-                vec2 _e174 = paint_4;
-                paint_4 = (vec2((_e167.x * cover_4), cover_4) + (_e174 * (1.0 - cover_4)));
+            Brushstroke stroke = brush_stroke_5(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned((dx * scale), stroke, style);
+                vec2 gy = brush_turned((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(3041712726u, 596033154u, 2419070270u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint_4;
-    return _e185;
+    return paint;
 }
 
-Brushstroke brush_stroke_6_(vec2 p_5, ivec2 cell_7, int zoom_5, float drawn_5, Brush style_13) {
-    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(4055616968u, 794710872u, 362115496u)));
-    vec3 chance_6 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset_5 = (p_5 - ((vec2(cell_7) + vec2(0.5)) + (style_13.scatter * (chance_6.xy - vec2(0.5)))));
-    float x_12 = (style_13.turn * (chance_6.z - 0.5));
-    vec2 turn_13 = vec2(sin(x_12), cos(x_12));
-    uvec3 _e46 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
-    float way_5 = (((vec3((_e46 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_8 = Brushstroke(vec2(0.5), turn_13, way_5, 0.0);
-    vec2 _e67 = brush_turned_2_((offset_5 * vec2(style_13.aspect, 1.0)), stroke_8, style_13);
-    vec2 uv_6 = (vec2(0.5) + _e67);
-    vec2 from_edge_5 = min(uv_6, (vec2(1.0) - uv_6));
-    float inside_5 = clamp((64.0 * min(from_edge_5.x, from_edge_5.y)), 0.0, 1.0);
-    float far_5 = (max(abs(offset_5.x), abs(offset_5.y)) / (1.0 - (0.5 * style_13.scatter)));
-    float share_10 = ((drawn_5 * inside_5) * (1.0 - smoothstep(0.85, 1.0, far_5)));
-    return Brushstroke(uv_6, turn_13, way_5, share_10);
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+Brushstroke brush_stroke_6(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
+    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(4055616968u, 794710872u, 362115496u)));
+    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
+    float x = (style.turn * (chance.z - 0.5));
+    vec2 turn = vec2(sin(x), cos(x));
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
+    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
+    vec2 uv = (vec2(0.5) + brush_turned_2((offset * vec2(style.aspect, 1.0)), stroke, style));
+    vec2 from_edge = min(uv, (vec2(1.0) - uv));
+    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
+    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv, turn, way, share);
 }
 
-vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
-    int i_5 = 0;
-    int octave_5 = 0;
-    vec2 paint_5 = vec2(0.0);
-    uint tile_5[256] = BLUE_TILE;
-    vec2 dx_5 = dFdx(at_5.place);
-    vec2 dy_5 = dFdy(at_5.place);
-    float _e8 = area_square(at_5.stretch);
-    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
-    float level_5 = clamp((-0.5 * _e12), -16.0, 16.0);
-    float zoom_11 = floor(level_5);
-    float f_6 = (level_5 - zoom_11);
-    float _e22 = exp2_stable((-2.0 * f_6));
-    float fine_5 = ((1.0 - ((1.0 - f_6) * _e22)) / (4.0 * _e22));
-    bool loop_init_10 = true;
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
+    int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
+    vec2 dx = dFdx(at.place);
+    vec2 dy = dFdy(at.place);
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    float coarse_cells = exp2_stable((-2.0 * f));
+    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_10) {
-            int _e182 = octave_5;
-            octave_5 = (_e182 + 1);
+        if (!loop_init) {
+            octave = (octave + 1);
         }
-        loop_init_10 = false;
-        int _e39 = octave_5;
-        if (!((_e39 < 2))) {
+        loop_init = false;
+        if (!((octave < 2))) {
             break;
         }
-        int _e45 = octave_5;
-        float amount_5 = (ink_5 * ((_e45 == 1) ? fine_5 : (1.0 - f_6)));
-        int _e51 = octave_5;
-        float scale_9 = uintBitsToFloat((uint(((int(zoom_11) + _e51) + 127)) << 23u));
-        vec2 p_13 = (clamp((at_5.place * scale_9), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_14.aspect, 1.0));
-        ivec2 corner_5 = ivec2(floor(p_13));
-        ivec2 phase_5 = (((corner_5 % ivec2(3)) + ivec2(3)) % ivec2(3));
-        i_5 = 0;
-        bool loop_init_11 = true;
+        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
+        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
+        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
         while(true) {
-            if (!loop_init_11) {
-                int _e179 = i_5;
-                i_5 = (_e179 + 1);
+            if (!loop_init_1) {
+                i = (i + 1);
             }
-            loop_init_11 = false;
-            int _e82 = i_5;
-            if (!((_e82 < 9))) {
+            loop_init_1 = false;
+            if (!((i < 9))) {
                 break;
             }
-            int _e86 = i_5;
-            int _e89 = i_5;
-            ivec2 cell_13 = ((corner_5 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_5) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e106 = octave_5;
-            ivec2 turning_5 = (cell_13 + ivec2(8, (7 * (int(zoom_11) + _e106))));
-            uint _e112 = blue_index(turning_5);
-            uint _e114 = tile_5[_e112];
-            float late_5 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_5.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share_11 = clamp(((amount_5 - late_5) * 32.0), 0.0, 1.0);
-            if ((share_11 <= 0.0)) {
+            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            ivec2 turning = (cell + ivec2(8, (7 * (int(zoom) + octave))));
+            uint tile_now = tile[blue_index(turning)];
+            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share <= 0.0)) {
                 continue;
             }
-            int _e140 = octave_5;
-            Brushstroke _e142 = brush_stroke_6_(p_13, cell_13, (int(zoom_11) + _e140), share_11, style_14);
-            if ((_e142.share > 0.0)) {
-                vec2 _e147 = brush_turned_2_((dx_5 * scale_9), _e142, style_14);
-                vec2 _e149 = brush_turned_2_((dy_5 * scale_9), _e142, style_14);
-                int _e151 = octave_5;
-                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_13, (int(zoom_11) + _e151))) + uvec3(774553914u, 993388590u, 2600128018u)));
-                uint own_6 = _e160.x;
-                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_6);
-                float cover_5 = (_e142.share * _e167.y);
-                vec2 _e174 = paint_5;
-                paint_5 = (vec2((_e167.x * cover_5), cover_5) + (_e174 * (1.0 - cover_5)));
+            Brushstroke stroke = brush_stroke_6(p, cell, (int(zoom) + octave), share, style);
+            if ((stroke.share > 0.0)) {
+                vec2 gx = brush_turned_2((dx * scale), stroke, style);
+                vec2 gy = brush_turned_2((dy * scale), stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(774553914u, 993388590u, 2600128018u)));
+                uint own = hash_pcg3d_value.x;
+                vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
+                float cover = (stroke.share * drawn.y);
+                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
             }
         }
     }
-    vec2 _e185 = paint_5;
-    return _e185;
+    return paint;
 }
 
-BrushStrokes brush_strokes_bristles(float value, vec2 place_5, vec3 stretch_3, float count_2, float aspect, float size, float scatter, float turn, int seed_4, vec2 viewport_3) {
-    SpacedPlace _e10 = spaced(place_5, stretch_3, viewport_3, count_2);
-    Brush style_15 = Brush(aspect, size, scatter, turn, 1u, false);
-    vec2 _e16 = bristles_laid(_e10, (1.0 - value), style_15);
-    float shade_2 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 1u, false);
+    vec2 paint = bristles_laid(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_2_(float value_1, vec2 place_6, vec3 stretch_4, float count_3, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_4) {
-    SpacedPlace _e10 = spaced(place_6, stretch_4, viewport_4, count_3);
-    Brush style_16 = Brush(aspect_1, size_1, scatter_1, turn_1, 6u, false);
-    vec2 _e16 = bristles_laid_2_(_e10, (1.0 - value_1), style_16);
-    float shade_3 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles_2(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 6u, false);
+    vec2 paint = bristles_laid_2(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_3_(float value_2, vec2 place_7, vec3 stretch_5, float count_4, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, vec2 viewport_5) {
-    SpacedPlace _e10 = spaced(place_7, stretch_5, viewport_5, count_4);
-    Brush style_17 = Brush(aspect_2, size_2, scatter_2, turn_2, 2u, false);
-    vec2 _e16 = bristles_laid_3_(_e10, (1.0 - value_2), style_17);
-    float shade_4 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles_3(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 2u, false);
+    vec2 paint = bristles_laid_3(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_4_(float value_3, vec2 place_8, vec3 stretch_6, float count_5, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, vec2 viewport_6) {
-    SpacedPlace _e10 = spaced_2_(place_8, stretch_6, viewport_6, count_5);
-    Brush style_18 = Brush(aspect_3, size_3, scatter_3, turn_3, 3u, false);
-    vec2 _e16 = bristles_laid_4_(_e10, (1.0 - value_3), style_18);
-    float shade_5 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles_4(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced_2(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 3u, false);
+    vec2 paint = bristles_laid_4(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_5_(float value_4, vec2 place_9, vec3 stretch_7, float count_6, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, vec2 viewport_7) {
-    SpacedPlace _e10 = spaced_2_(place_9, stretch_7, viewport_7, count_6);
-    Brush style_19 = Brush(aspect_4, size_4, scatter_4, turn_4, 4u, false);
-    vec2 _e16 = bristles_laid_5_(_e10, (1.0 - value_4), style_19);
-    float shade_6 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_6, shade_6, shade_6, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles_5(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced_2(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 4u, false);
+    vec2 paint = bristles_laid_5(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_6_(float value_5, vec2 place_10, vec3 stretch_8, float count_7, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, vec2 viewport_8) {
-    SpacedPlace _e10 = spaced(place_10, stretch_8, viewport_8, count_7);
-    Brush style_20 = Brush(aspect_5, size_5, scatter_5, turn_5, 8u, false);
-    vec2 _e16 = bristles_laid_6_(_e10, (1.0 - value_5), style_20);
-    float shade_7 = (_e16.x / max(_e16.y, 0.001));
-    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e16.y);
+BrushStrokes brush_strokes_bristles_6(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+    SpacedPlace at = spaced(place, stretch, viewport, count);
+    Brush style = Brush(aspect, size, scatter, turn, 8u, false);
+    vec2 paint = bristles_laid_6(at, (1.0 - value), style);
+    float shade = (paint.x / max(paint.y, 0.001));
+    return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_4, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
-    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_4);
-    return MarkPlace(_e7.place, _e7.stretch);
+MarkPlace mark_place_axis(vec3 axis, vec3 normal, float angle, vec3 view, vec3 position_object, mat3x3 world_from_normal, float magnification) {
+    StretchedPlace m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
+    return MarkPlace(m.place, m.stretch);
 }
 
-MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewport_9) {
-    float size_6 = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 _e8 = place_in_picture(pixel_1, viewport_9);
-    vec2 place_12 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size_6));
-    StretchedPlace _e26 = mark_place_of_2_(place_12, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), angle_5);
-    return MarkPlace(_e26.place, _e26.stretch);
+MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
+    float size = clamp(anchor.z, 1e-6, 1000000.0);
+    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace m = mark_place_of_2(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    return MarkPlace(m.place, m.stretch);
 }
 
-float reflectance_half_lambert(Light light, vec3 normal_4) {
-    float half_ = (0.5 + (0.5 * dot(normal_4, light.direction)));
+float reflectance_half_lambert(Light light, vec3 normal) {
+    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
     return min((half_ * half_), 1.0);
 }
 
-float map_range(float value_6, float from_low, float from_high, float to_low, float to_high, bool clamped) {
-    return mix(to_low, to_high, clamp(((value_6 - from_low) / (from_high - from_low)), 0.0, 1.0));
+/// Map range
+///
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+float map_range(float value, float from_low, float from_high, float to_low, float to_high, bool clamped) {
+    return mix(to_low, to_high, clamp(((value - from_low) / (from_high - from_low)), 0.0, 1.0));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e3 = normalize_moderate(surface.smooth_normal_1_, surface.normal);
-    Light _e6 = u_look.key;
-    float _e7 = reflectance_half_lambert(_e6, _e3);
-    float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
-    vec3 _e16 = normalize_moderate(surface.smooth_normal_3_, surface.normal);
-    MarkPlace _e26 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e16, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    vec2 _e37 = u_look.viewport;
-    BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e37);
-    vec4 _e44 = u_look.umber_as_paint_b;
-    vec4 _e48 = color_mixed(_e38.color, (_e38.color.xyz * _e44.xyz), 1.0);
-    vec4 _e51 = u_look.toned_canvas;
-    vec4 _e52 = bounded_vec4_(_e48);
-    vec4 _e57 = mixed_vec4_(_e51, _e52, clamp(_e38.ink, 0.0, 1.0));
-    vec3 _e61 = u_look.sky.direction;
-    float reflected_light = max(dot(_e3, _e61), 0.0);
+    vec3 planes = normalize_moderate(surface.smooth_normal_1_, surface.normal);
+    float light_and_shade = reflectance_half_lambert(u_look.key, planes);
+    float where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
+    vec3 large_forms = normalize_moderate(surface.smooth_normal_3_, surface.normal);
+    MarkPlace strokes_round_the_form = mark_place_axis(vec3(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    BrushStrokes umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, u_look.viewport);
+    vec4 umber_as_paint = color_mixed(umber.color, (umber.color.xyz * u_look.umber_as_paint_b.xyz), 1.0);
+    vec4 umber_laid_on = mixed_vec4(u_look.toned_canvas, bounded_vec4(umber_as_paint), clamp(umber.ink, 0.0, 1.0));
+    float reflected_light = max(dot(planes, u_look.sky.direction), 0.0);
     float where_cool_reflections_go = mix(1.0, 0.0, clamp(((reflected_light - 0.25) / 0.5), 0.0, 1.0));
-    vec2 _e85 = u_look.viewport;
-    BrushStrokes _e86 = brush_strokes_bristles_2_(where_cool_reflections_go, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e85);
-    vec4 _e92 = u_look.cool_reflections_as_paint_b;
-    vec4 _e96 = color_mixed(_e86.color, (_e86.color.xyz * _e92.xyz), 1.0);
-    vec4 _e98 = mix_colors_normal(_e57, _e96, _e86.ink);
-    float _e104 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
-    vec2 _e115 = u_look.viewport;
-    BrushStrokes _e116 = brush_strokes_bristles_3_(_e104, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e115);
-    vec4 _e122 = u_look.half_tones_as_paint_b;
-    vec4 _e126 = color_mixed(_e116.color, (_e116.color.xyz * _e122.xyz), 1.0);
-    vec4 _e128 = mix_colors_normal(_e98, _e126, _e116.ink);
-    float _e134 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
-    vec2 _e140 = u_look.viewport;
-    MarkPlace _e141 = mark_place_object(0.75, surface.anchor, surface.pixel, _e140);
-    vec2 _e152 = u_look.viewport;
-    BrushStrokes _e153 = brush_strokes_bristles_4_(_e134, _e141.place, _e141.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e152);
-    vec4 _e159 = u_look.light_as_paint_b;
-    vec4 _e163 = color_mixed(_e153.color, (_e153.color.xyz * _e159.xyz), 1.0);
-    vec4 _e165 = mix_colors_normal(_e128, _e163, _e153.ink);
-    float _e171 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
-    vec2 _e182 = u_look.viewport;
-    BrushStrokes _e183 = brush_strokes_bristles_5_(_e171, _e141.place, _e141.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e182);
-    vec4 _e189 = u_look.thick_lights_as_paint_b;
-    vec4 _e193 = color_mixed(_e183.color, (_e183.color.xyz * _e189.xyz), 1.0);
-    vec4 _e195 = mix_colors_normal(_e165, _e193, _e183.ink);
+    BrushStrokes cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, u_look.viewport);
+    vec4 cool_reflections_as_paint = color_mixed(cool_reflections.color, (cool_reflections.color.xyz * u_look.cool_reflections_as_paint_b.xyz), 1.0);
+    vec4 cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint, cool_reflections.ink);
+    float where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
+    BrushStrokes half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, u_look.viewport);
+    vec4 half_tones_as_paint = color_mixed(half_tones.color, (half_tones.color.xyz * u_look.half_tones_as_paint_b.xyz), 1.0);
+    vec4 half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint, half_tones.ink);
+    float where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
+    MarkPlace strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, u_look.viewport);
+    BrushStrokes light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, u_look.viewport);
+    vec4 light_as_paint = color_mixed(light.color, (light.color.xyz * u_look.light_as_paint_b.xyz), 1.0);
+    vec4 light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
+    float where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
+    BrushStrokes thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, u_look.viewport);
+    vec4 thick_lights_as_paint = color_mixed(thick_lights.color, (thick_lights.color.xyz * u_look.thick_lights_as_paint_b.xyz), 1.0);
+    vec4 thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint, thick_lights.ink);
     float hollows = surface.kappa;
     float where_accents_go = mix(1.0, 0.0, clamp(((hollows + 6.0) / -14.0), 0.0, 1.0));
-    vec2 _e217 = u_look.viewport;
-    BrushStrokes _e218 = brush_strokes_bristles_6_(where_accents_go, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e217);
-    vec4 _e224 = u_look.accents_as_paint_b;
-    vec4 _e228 = color_mixed(_e218.color, (_e218.color.xyz * _e224.xyz), 1.0);
-    vec4 _e230 = mix_colors_normal(_e195, _e228, _e218.ink);
-    vec4 output_alpha = vec4(_e230.xyz, clamp(_e230.w, 0.0, 1.0));
-    vec4 _e237 = premultiplied(output_alpha);
-    vec4 _e238 = output_(_e237);
-    return _e238;
+    BrushStrokes accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, u_look.viewport);
+    vec4 accents_as_paint = color_mixed(accents.color, (accents.color.xyz * u_look.accents_as_paint_b.xyz), 1.0);
+    vec4 accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
+    vec4 output_alpha = vec4(accents_laid_on.xyz, clamp(accents_laid_on.w, 0.0, 1.0));
+    return output_(premultiplied(output_alpha));
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_5 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e24 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    vec4 _e31 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e37 = u_view.camera_from_world;
-    vec4 _e45 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e51 = u_view.camera_from_world;
-    vec4 _e58 = u_view.screen;
-    vec4 _e63 = u_view.screen;
-    mat4x4 _e68 = u_view.camera_from_world;
-    vec4 _e72 = u_object.world_from_object[3];
-    float _e81 = u_view.eye.w;
-    float _e86 = u_view.clip_from_world[0][1];
-    float _e91 = u_view.clip_from_world[1][1];
-    float _e96 = u_view.clip_from_world[2][1];
-    vec3 _e99 = anchor_on_screen((_e68 * vec4(_e72.xyz, 1.0)).xyz, _e81, length(vec3(_e86, _e91, _e96)));
-    mat4x4 _e102 = u_view.camera_from_world;
-    float _e112 = u_view.eye.w;
-    float _e117 = u_view.clip_from_world[0][1];
-    float _e122 = u_view.clip_from_world[1][1];
-    float _e127 = u_view.clip_from_world[2][1];
-    float _e130 = size_on_screen(-((_e102 * vec4(in_.position, 1.0)).z), _e112, length(vec3(_e117, _e122, _e127)));
-    mat3x3 _e133 = u_object.world_from_normal;
-    Surface surface_1 = Surface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, (vec4(_e31.xyz, 0.0) * _e37).xyz, (vec4(_e45.xyz, 0.0) * _e51).xyz, ((in_.clip.xy * _e58.xy) + _e63.zw), _e99, _e130, _e133);
-    vec4 _e135 = shade(surface_1);
-    vec4 _e136 = finite_vec4_(_e135);
-    out_color = _e136;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_1 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_2 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
+    float size_on_screen_value = size_on_screen(-((u_view.camera_from_world * vec4(in_.position, 1.0)).z), u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, texel.x, (vec4(texel_1.xyz, 0.0) * u_view.camera_from_world).xyz, (vec4(texel_2.xyz, 0.0) * u_view.camera_from_world).xyz, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value, size_on_screen_value, u_object.world_from_normal);
+    out_color = finite_vec4(shade(surface));
     return;
 }
 

@@ -11,21 +11,30 @@ precision highp int;
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     mat3x3 camera_from_world;
     vec2 viewport;
     Light back;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -33,18 +42,30 @@ struct Surface {
     vec3 curvature_tensor;
     vec2 pixel;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -65,25 +86,32 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
@@ -91,59 +119,61 @@ float bounded(float x) {
     return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float footprint_of(float x_1) {
-    float _e1 = dFdx(x_1);
-    float _e2 = dFdy(x_1);
-    vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float footprint_of_2_(float x_2) {
-    float _e1 = dFdx(x_2);
-    float _e2 = dFdy(x_2);
-    vec2 d_1 = vec2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
-    vec2 place_2 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    float _e19 = profile_soft_quick(place_2.x, shape_1);
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
     float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place_2.x * turn.y) - (place_2.y * turn.x)), shape_1);
-    float _e53 = profile_soft_quick(((place_2.x * turn.y) + (place_2.y * turn.x)), shape_1);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
     uvec2 at = (uvec2(cell) & uvec2(31u));
     return ((8u * at.y) + (at.x >> 2u));
 }
 
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
 float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float _e10 = footprint_of_2_(facing);
-    float edge = min(_e10, 1.0);
+    float edge = min(footprint_of_2(facing), 1.0);
     vec3 aside = (normal - view);
     float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
     float within = ((further / max(edge, 1e-6)) + 0.5);
@@ -153,63 +183,60 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
 }
 
+/// Dither
+///
+/// Cuts a tone into few flat ones and lets single pixels decide between two of them, so that the
+/// average stays: pixel art, woodcut grain, bands whose edges are sprinkled. Bayer's matrices make
+/// a regular weave; blue noise has neither a pattern nor clumps; white noise is chance.
 float dither_blue(float value, vec2 place, int levels, float spread, float size) {
-    ivec2 cell_1 = ivec2(floor((place / vec2(size))));
-    uint _e14 = blue_index(cell_1);
-    return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[_e14] >> (8u * (uint(cell_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
+    ivec2 cell = ivec2(floor((place / vec2(size))));
+    uint blue_index_value = blue_index(cell);
+    return ((((value - 0.0) - 0.5) >= (((float(((BLUE_TILE[blue_index_value] >> (8u * (uint(cell.x) & 3u))) & 255u)) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0);
 }
 
-float inner_contour_suggestive(float width_1, float limit, float softness_1, vec3 tensor, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place_1, vec2 viewport) {
-    vec3 n = (camera_from_world * normal_1);
+/// Inner contour
+///
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
+float inner_contour_suggestive(float width, float limit, float softness, vec3 tensor, vec3 normal, vec3 view, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
+    vec3 n = (camera_from_world * normal);
     float square = dot(n.xy, n.xy);
     float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square, 1e-6));
-    float _e35 = dFdx(radial);
-    float _e36 = dFdy(radial);
-    vec2 change = vec2(_e35, _e36);
-    vec3 v_1 = (camera_from_world * view_1);
-    vec3 row = dFdy(place_1);
-    float up = (((row - (dot(row, v_1) * v_1)).y >= 0.0) ? 1.0 : -1.0);
+    vec2 change = vec2(dFdx(radial), dFdy(radial));
+    vec3 v = (camera_from_world * view);
+    vec3 row = dFdy(place);
+    float up = (((row - (dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
     float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float x_3 = ((toward_eye * height) * 0.05);
-    float _e79 = footprint_of(x_3);
-    float strength = clamp((0.5 + ((x_3 - limit) / length(vec2(min(_e79, 1000000000000000.0), (limit * softness_1))))), 0.0, 1.0);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float x = ((toward_eye * height) * 0.05);
+    float footprint_of_value = footprint_of(x);
+    float strength = clamp((0.5 + ((x - limit) / length(vec2(min(footprint_of_value, 1000000000000000.0), (limit * softness))))), 0.0, 1.0);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal, view)));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    vec3 _e14 = u_look.key.direction;
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
-    float _e27 = dither_blue(_e22, surface.pixel, 2, 1.0, 2.0);
-    Light _e30 = u_look.back;
-    float _e36 = rim(_e30, surface.normal, surface.view, 0.34, 0.0, 1.0);
-    float both_lights = max(_e27, _e36);
-    mat3x3 _e46 = u_look.camera_from_world;
-    vec2 _e50 = u_look.viewport;
-    float _e51 = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, _e46, surface.position_camera, _e50);
-    float lines_cut_out = min(both_lights, (1.0 - _e51));
-    vec4 _e67 = blend_alpha(vec4(0.1333, 0.1216, 0.2, 1.0), vec4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
-    return _e67;
+    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    float tone = profile_balanced(turned_from_the_key, 0.0, tone_shape);
+    float spray = dither_blue(tone, surface.pixel, 2, 1.0, 2.0);
+    float edge_of_light = rim(u_look.back, surface.normal, surface.view, 0.34, 0.0, 1.0);
+    float both_lights = max(spray, edge_of_light);
+    float line = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, u_look.camera_from_world, surface.position_camera, u_look.viewport);
+    float lines_cut_out = min(both_lights, (1.0 - line));
+    vec4 light = blend_alpha(vec4(0.1333, 0.1216, 0.2, 1.0), vec4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
+    return light;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    mat4x4 _e20 = u_view.camera_from_world;
-    vec4 _e31 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    vec4 _e37 = u_view.screen;
-    vec4 _e42 = u_view.screen;
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), (_e20 * vec4(in_.position, 1.0)).xyz, _e31.xyz, ((in_.clip.xy * _e37.xy) + _e42.zw));
-    vec4 _e46 = shade(surface_1);
-    out_color = _e46;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), (u_view.camera_from_world * vec4(in_.position, 1.0)).xyz, texel.xyz, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw));
+    out_color = shade(surface);
     return;
 }
 

@@ -1,6 +1,6 @@
 // One bit: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_2 buffer(0), object buffer(1), look buffer(2), curvature_tensor_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_tensor_map texture(0).
 // one-bit.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,22 +13,30 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float3x3 camera_from_world;
     metal::float2 viewport;
@@ -36,6 +44,7 @@ struct Look {
     Light back;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -46,18 +55,30 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct type_9 {
@@ -75,32 +96,39 @@ struct Varyings {
 constant type_9 BLUE_TILE = type_9 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
 constant ProfileShape tone_shape = ProfileShape {0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u};
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
     metal::float3 v
 ) {
     return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_1, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_1 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, u_1.half_cos);
-    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
     float x
 ) {
@@ -110,23 +138,20 @@ float bounded(
     return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_1
+    float x
 ) {
-    float _e1 = metal::dfdx(x_1);
-    float _e2 = metal::dfdy(x_1);
-    metal::float2 d = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
-    return _e6;
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return bounded(metal::sqrt(metal::dot(d, d)));
 }
 
-float footprint_of_2_(
-    float x_2
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_1, d_1));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
 Composite blend_alpha(
@@ -139,6 +164,7 @@ Composite blend_alpha(
     return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -147,34 +173,35 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
+    Angle u,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    metal::float2 place_2 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
-    float _e19 = profile_soft_quick(place_2.x, shape_1);
-    if (w < (0.1 * shape_1.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
     float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place_2.x * turn.y) - (place_2.y * turn.x), shape_1);
-    float _e53 = profile_soft_quick((place_2.x * turn.y) + (place_2.y * turn.x), shape_1);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(
     metal::int2 cell
 ) {
@@ -182,6 +209,10 @@ uint blue_index(
     return (8u * at.y) + (at.x >> 2u);
 }
 
+/// Rim light
+///
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
 float rim(
     Light light,
     metal::float3 normal,
@@ -191,8 +222,7 @@ float rim(
     float follow
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float _e10 = footprint_of_2_(facing);
-    float edge = metal::min(_e10, 1.0);
+    float edge = metal::min(footprint_of_2(facing), 1.0);
     metal::float3 aside = normal - view;
     float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
     float within = (further / metal::max(edge, 0.000001)) + 0.5;
@@ -206,6 +236,11 @@ metal::int2 naga_f2i32(metal::float2 value) {
     return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// Dither
+///
+/// Cuts a tone into few flat ones and lets single pixels decide between two of them, so that the
+/// average stays: pixel art, woodcut grain, bands whose edges are sprinkled. Bayer's matrices make
+/// a regular weave; blue noise has neither a pattern nor clumps; white noise is chance.
 float dither_blue(
     float value,
     metal::float2 place,
@@ -213,59 +248,57 @@ float dither_blue(
     float spread,
     float size
 ) {
-    metal::int2 cell_1 = naga_f2i32(metal::floor(place / metal::float2(size)));
-    uint _e14 = blue_index(cell_1);
-    return (((value - 0.0) - 0.5) >= (((static_cast<float>((BLUE_TILE.inner[_e14] >> (8u * (as_type<uint>(cell_1.x) & 3u))) & 255u) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0;
+    metal::int2 cell = naga_f2i32(metal::floor(place / metal::float2(size)));
+    uint blue_index_value = blue_index(cell);
+    return (((value - 0.0) - 0.5) >= (((static_cast<float>((BLUE_TILE.inner[blue_index_value] >> (8u * (as_type<uint>(cell.x) & 3u))) & 255u) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0;
 }
 
+/// Inner contour
+///
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
 float inner_contour_suggestive(
-    float width_1,
+    float width,
     float limit,
-    float softness_1,
+    float softness,
     metal::float3 tensor,
-    metal::float3 normal_1,
-    metal::float3 view_1,
+    metal::float3 normal,
+    metal::float3 view,
     metal::float3x3 camera_from_world,
-    metal::float3 place_1,
+    metal::float3 place,
     metal::float2 viewport
 ) {
-    metal::float3 n = camera_from_world * normal_1;
+    metal::float3 n = camera_from_world * normal;
     float square = metal::dot(n.xy, n.xy);
     float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square, 0.000001);
-    float _e35 = metal::dfdx(radial);
-    float _e36 = metal::dfdy(radial);
-    metal::float2 change = metal::float2(_e35, _e36);
-    metal::float3 v_1 = camera_from_world * view_1;
-    metal::float3 row = metal::dfdy(place_1);
-    float up = ((row - (metal::dot(row, v_1) * v_1)).y >= 0.0) ? 1.0 : -1.0;
+    metal::float2 change = metal::float2(metal::dfdx(radial), metal::dfdy(radial));
+    metal::float3 v = camera_from_world * view;
+    metal::float3 row = metal::dfdy(place);
+    float up = ((row - (metal::dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
     float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
     float pixels = (1.5 * height) / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float x_3 = (toward_eye * height) * 0.05;
-    float _e79 = footprint_of(x_3);
-    float strength = metal::clamp(0.5 + ((x_3 - limit) / metal::length(metal::float2(metal::min(_e79, 1000000000000000.0), limit * softness_1))), 0.0, 1.0);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
+    float x = (toward_eye * height) * 0.05;
+    float footprint_of_value = footprint_of(x);
+    float strength = metal::clamp(0.5 + ((x - limit) / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), limit * softness))), 0.0, 1.0);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    metal::float3 _e14 = look.key.direction;
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    float _e22 = profile_balanced(turned_from_the_key, 0.0, tone_shape);
-    float _e27 = dither_blue(_e22, surface.pixel, 2, 1.0, 2.0);
-    Light _e30 = look.back;
-    float _e36 = rim(_e30, surface.normal, surface.view, 0.34, 0.0, 1.0);
-    float both_lights = metal::max(_e27, _e36);
-    metal::float3x3 _e46 = look.camera_from_world;
-    metal::float2 _e50 = look.viewport;
-    float _e51 = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, _e46, surface.position_camera, _e50);
-    float lines_cut_out = metal::min(both_lights, 1.0 - _e51);
-    Composite _e67 = blend_alpha(metal::float4(0.1333, 0.1216, 0.2, 1.0), metal::float4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
-    return _e67;
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    float tone = profile_balanced(turned_from_the_key, 0.0, tone_shape);
+    float spray = dither_blue(tone, surface.pixel, 2, 1.0, 2.0);
+    float edge_of_light = rim(look.back, surface.normal, surface.view, 0.34, 0.0, 1.0);
+    float both_lights = metal::max(spray, edge_of_light);
+    float line = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    float lines_cut_out = metal::min(both_lights, 1.0 - line);
+    Composite light = blend_alpha(metal::float4(0.1333, 0.1216, 0.2, 1.0), metal::float4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
+    return light;
 }
 
 struct vs_mainInput {
@@ -279,15 +312,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_2 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_2.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -303,20 +333,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_2 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_2.eye;
-    float _e13 = view_2.eye.w;
-    metal::float4x4 _e20 = view_2.camera_from_world;
-    metal::float4 _e31 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4 _e37 = view_2.screen;
-    metal::float4 _e42 = view_2.screen;
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), (_e20 * metal::float4(in.position, 1.0)).xyz, _e31.xyz, (in.clip.xy * _e37.xy) + _e42.zw};
-    metal::float4 _e46 = shade(surface_1, look);
-    return fs_mainOutput { _e46 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, texel.xyz, (in.clip.xy * view.screen.xy) + view.screen.zw};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -3,36 +3,57 @@
 // The fragment shader. Draws a mesh with the look; the result is straight RGBA.
 // Uniform blocks (std140): ViewBlock 0, ObjectBlock 1, LookBlock 2.
 // painted-before.json says what to put there and how to draw.
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light lamp;
     Light window;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -48,93 +69,100 @@ layout(std140, binding = 2) uniform LookBlock { Look u_look; };
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 vec3 normalize_seen_balanced(vec3 v) {
     return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_1, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, u_1.half_cos));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
     return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_diffuse_balanced(Light light_1, vec3 normal) {
-    return Angle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
+    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w, ProfileShape shape_1) {
-    vec2 place = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_1);
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
     float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_1);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_1);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Light _e3 = u_look.window;
-    Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
-    float _e8 = profile_balanced(_e5, 0.0, body_tone_shape);
-    Light _e11 = u_look.window;
-    LitLayer _e17 = light_apply(_e11, vec4(0.42, 0.38, 0.38, 1.0), _e8);
-    vec4 _e27 = blend_add(vec4(0.2, 0.18, 0.22, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = u_look.lamp;
-    Angle _e32 = parametrization_diffuse_balanced(_e30, surface.normal);
-    float _e35 = profile_balanced(_e32, 0.0, light_tone_shape);
-    Light _e38 = u_look.lamp;
-    LitLayer _e44 = light_apply(_e38, vec4(0.14, 0.13, 0.12, 1.0), _e35);
-    vec4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
-    Light _e52 = u_look.back;
-    Angle _e54 = parametrization_diffuse_balanced(_e52, surface.normal);
-    float _e57 = profile_balanced(_e54, 0.0, behind_tone_shape);
-    Light _e60 = u_look.back;
-    LitLayer _e66 = light_apply(_e60, vec4(0.08, 0.09, 0.1, 1.0), _e57);
-    vec4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
-    return _e71;
+    Angle body_angle = parametrization_diffuse_balanced(u_look.window, surface.normal);
+    float body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
+    LitLayer body_lit = light_apply(u_look.window, vec4(0.42, 0.38, 0.38, 1.0), body_tone);
+    vec4 body_blend = blend_add(vec4(0.2, 0.18, 0.22, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    Angle light_angle = parametrization_diffuse_balanced(u_look.lamp, surface.normal);
+    float light_tone = profile_balanced(light_angle, 0.0, light_tone_shape);
+    LitLayer light_lit = light_apply(u_look.lamp, vec4(0.14, 0.13, 0.12, 1.0), light_tone);
+    vec4 light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+    Angle behind_angle = parametrization_diffuse_balanced(u_look.back, surface.normal);
+    float behind_tone = profile_balanced(behind_angle, 0.0, behind_tone_shape);
+    LitLayer behind_lit = light_apply(u_look.back, vec4(0.08, 0.09, 0.1, 1.0), behind_tone);
+    vec4 behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+    return behind_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = Surface(normal_1);
-    vec4 _e7 = shade(surface_1);
-    out_color = _e7;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal);
+    out_color = shade(surface);
     return;
 }
 

@@ -2,65 +2,87 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // painted-light.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light back;
     Light lamp;
     Light window;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -74,22 +96,9 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
-static const ProfileShape body_tone_shape = ConstructProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
-static const ProfileShape light_tone_shape = ConstructProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
-static const ProfileShape behind_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
+static const ProfileShape body_tone_shape = {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
+static const ProfileShape light_tone_shape = {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
+static const ProfileShape behind_tone_shape = {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -106,18 +115,22 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 float3 normalize_seen_balanced(float3 v)
 {
     return (v * rsqrt(max(dot(v, v), 1e-30)));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -127,15 +140,19 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_3 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_3, u_1.half_cos));
-    float2 turned = (((s_3 <= 0.0) & (s_3 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
     return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -148,131 +165,133 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_diffuse_balanced(Light light_1, float3 normal)
+Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_4 = ConstructAngle((0.5 * length((normal - light_1.direction))), (0.5 * length((normal + light_1.direction))));
+    const Angle angle_4 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
     return angle_4;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
 }
 
-float profile_soft_quick_2_(float s_1, ProfileShape shape_1)
+/// alpha of a soft profile where the half-sine from tau is s.
+float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q_1 = (s_1 * shape_1.scale);
-    return ((s_1 <= 0.0) ? 1.0 : pow(max((1.0 - (q_1 * q_1)), 0.0), shape_1.exponent));
+    float q = (s * shape.scale);
+    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_2, float w, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
-    float from_offset = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_2.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) & (w_1 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_1, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_1 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_1);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_4)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_3.half_sin * shape_4.half_cos_offset) - (u_3.half_cos * shape_4.half_sin_offset)), ((u_3.half_cos * shape_4.half_cos_offset) + (u_3.half_sin * shape_4.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place_1.x, shape_4);
-    if ((w_2 < (0.1 * shape_4.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_2);
-    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e45 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_4);
-    const float _e53 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_4);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_3_(Angle u_4, float w_3, ProfileShape shape_5)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place_2 = float2(((u_4.half_sin * shape_5.half_cos_offset) - (u_4.half_cos * shape_5.half_sin_offset)), ((u_4.half_cos * shape_5.half_cos_offset) + (u_4.half_sin * shape_5.half_sin_offset)));
-    const float _e19 = profile_soft_quick_2_(place_2.x, shape_5);
-    if ((w_3 < (0.1 * shape_5.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick_2(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_2 = (0.19364917 * w_3);
-    float2 turn_2 = float2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    const float _e45 = profile_soft_quick_2_(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_5);
-    const float _e53 = profile_soft_quick_2_(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_5);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_6)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_6);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_7);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_2, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_3_(_e6, _e7, shape_8);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Light _e3 = look.window;
-    const Angle _e5 = parametrization_diffuse_balanced(_e3, surface.normal);
-    const float _e8 = profile_balanced(_e5, 0.0, body_tone_shape);
-    Light _e11 = look.window;
-    const LitLayer _e17 = light_apply(_e11, float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
-    const float4 _e27 = blend_add(float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = look.lamp;
-    const Angle _e32 = parametrization_diffuse_balanced(_e30, surface.normal);
-    const float _e35 = profile_balanced_2_(_e32, 0.0, light_tone_shape);
-    Light _e38 = look.lamp;
-    const LitLayer _e44 = light_apply(_e38, float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
-    const float4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
-    Light _e52 = look.back;
-    const Angle _e54 = parametrization_diffuse_balanced(_e52, surface.normal);
-    const float _e57 = profile_balanced_3_(_e54, 0.0, behind_tone_shape);
-    Light _e60 = look.back;
-    const LitLayer _e66 = light_apply(_e60, float4(0.08, 0.09, 0.1, 1.0), _e57);
-    const float4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
-    return _e71;
+    const Angle body_angle = parametrization_diffuse_balanced(look.window, surface.normal);
+    const float body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
+    const LitLayer body_lit = light_apply(look.window, float4(0.18708, 0.62392, 0.48886, 1.0), body_tone);
+    const float4 body_blend = blend_add(float4(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    const Angle light_angle = parametrization_diffuse_balanced(look.lamp, surface.normal);
+    const float light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
+    const LitLayer light_lit = light_apply(look.lamp, float4(0.81701, 0.67278, 0.30725, 1.0), light_tone);
+    const float4 light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+    const Angle behind_angle = parametrization_diffuse_balanced(look.back, surface.normal);
+    const float behind_tone = profile_balanced_3(behind_angle, 0.0, behind_tone_shape);
+    const LitLayer behind_lit = light_apply(look.back, float4(0.08, 0.09, 0.1, 1.0), behind_tone);
+    const float4 behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+    return behind_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -284,11 +303,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -303,9 +319,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen_balanced(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_3);
-    const float4 _e7 = shade(surface_1);
-    return _e7;
+    const float3 facing = normalize_seen_balanced(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal);
+    return shade(surface);
 }

@@ -10,50 +10,75 @@ precision highp int;
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec2 pixel;
     vec3 anchor;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     vec2 place;
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     vec3 stretch;
 };
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
 struct MarkPlace {
+    /// Along the strokes, and across them.
     vec2 place;
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
 struct PaperGrain {
+    /// The tone as the paper shows it.
     float tone;
+    /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
 struct Varyings {
@@ -61,6 +86,7 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
 const Ramp indigo_to_warm_paper = Ramp(vec4[16](vec4(0.13, 0.14, 0.33, 1.0), vec4(0.24, 0.36, 0.56, 1.0), vec4(0.53, 0.66, 0.72, 1.0), vec4(0.9, 0.8, 0.68, 1.0), vec4(0.975, 0.95, 0.9, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.62, 0.82), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
 
@@ -73,205 +99,178 @@ layout(std140) uniform LookBlock { Look u_look; };
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec4 finite_vec4_(vec4 v) {
+/// v with 0 for each component that is NaN or infinite.
+vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
-float bounded(float x_1) {
-    uint bits_1 = floatBitsToUint(x_1);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_3) {
-    uvec4 bits_2 = floatBitsToUint(v_3);
-    uvec4 magnitude_1 = (bits_2 & uvec4(2147483647u));
-    vec4 largest_1 = uintBitsToFloat(((bits_2 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
+/// [`bounded`], component by component.
+vec4 bounded_vec4(vec4 v) {
+    uvec4 bits = floatBitsToUint(v);
+    uvec4 magnitude = (bits & uvec4(2147483647u));
+    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_2) {
-    float _e1 = dFdx(x_2);
-    float _e2 = dFdy(x_2);
-    vec2 d_1 = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float footprint_of_2_(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
-    vec2 d_2 = vec2(_e1, _e2);
-    return sqrt(dot(d_2, d_2));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-float stairs_integral(float x_4, float count) {
-    float inside = min(x_4, count);
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral(float x, float count) {
+    float inside = min(x, count);
     float stair = min(floor(inside), 3.0);
-    float beyond = max((x_4 - count), 0.0);
+    float beyond = max((x - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
 }
 
-float stairs_integral_2_(float x_5, float count_1) {
-    float inside_1 = max(x_5, 0.0);
-    float stair_1 = floor(inside_1);
-    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral_2(float x, float count) {
+    float inside = max(x, 0.0);
+    float stair = floor(inside);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
 }
 
-float stairs_filtered(float x_6, float count_2, float w) {
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
+float stairs_filtered(float x, float count, float w) {
     if ((w <= 1.0)) {
-        float edge = clamp(roundEven(x_6), 1.0, 3.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
+        float edge = clamp(roundEven(x), 1.0, 3.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
     }
     float half_ = (0.5 * w);
-    float _e22 = stairs_integral((x_6 + half_), count_2);
-    float _e24 = stairs_integral_2_((x_6 - half_), count_2);
-    return ((_e22 - _e24) / (2.0 * half_));
+    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
 }
 
-vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t) {
-    vec4 d_3 = (b_1 - a_1);
-    return (a_1 + (t * (from_a + (t * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_3))))))));
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
+vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
+    vec4 d = (b - a);
+    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after) {
     if (((before * after) <= 0.0)) {
         return 0.0;
     }
     float weight_before = ((2.0 * span_after) + span_before);
     float weight_after = (span_after + (2.0 * span_before));
-    float _e18 = divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
-    return _e18;
+    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
 }
 
-vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float span_after_1) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return vec4(_e8, _e13, _e18, _e23);
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
+vec4 ramp_slope(vec4 rise_before, float span_before, vec4 rise_after, float span_after) {
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float divided_value = divided(rise_after.y, span_after);
+    float divided_value_1 = divided(rise_after.z, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float divided_value_2 = divided(rise_after.w, span_after);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
+    return vec4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
-vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2_ = 1u;
+    uint i_2 = 1u;
     uint at = 0u;
-    vec4 from_a_1 = vec4(0.0);
-    vec4 to_b_1 = vec4(0.0);
+    vec4 from_a = vec4(0.0);
+    vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e28 = i_2_;
-            i_2_ = (_e28 + 1u);
+            i_2 = (i_2 + 1u);
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 5u))) {
+        if (!((i_2 < 5u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e17 = i_2_;
-        uint _e21 = i_2_;
-        float _e25 = places[(_e17 / 4u)][(_e21 % 4u)];
-        at = ((_e25 <= x_7) ? _e16 : _e15);
+        float places_now = places[(i_2 / 4u)][(i_2 % 4u)];
+        at = ((places_now <= x) ? i_2 : at);
     }
-    uint _e31 = at;
-    uint _e35 = at;
-    float place_5 = places[(_e31 / 4u)][(_e35 % 4u)];
-    uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_5))) {
-        uint _e47 = at;
-        vec4 _e49 = colors[_e47];
-        return _e49;
+    float place = places[(at / 4u)][(at % 4u)];
+    if ((((at + 1u) >= 5u) || (x <= place))) {
+        return colors[at];
     }
-    uint _e50 = at;
-    uint after_1 = (_e50 + 1u);
-    float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span = (_e59 - place_5);
-    float _e62 = divided((x_7 - place_5), span);
-    float t_1 = clamp(_e62, 0.0, 1.0);
-    uint _e69 = at;
-    if ((_e69 > 0u)) {
-        uint _e72 = at;
-        uint _e78 = at;
-        float before_1 = places[((_e72 - 1u) / 4u)][((_e78 - 1u) % 4u)];
-        uint _e85 = at;
-        vec4 _e87 = colors[_e85];
-        uint _e88 = at;
-        vec4 _e92 = colors[(_e88 - 1u)];
-        vec4 _e96 = colors[after_1];
-        uint _e97 = at;
-        vec4 _e99 = colors[_e97];
-        vec4 _e101 = ramp_slope((_e87 - _e92), (place_5 - before_1), (_e96 - _e99), span);
-        from_a_1 = _e101;
+    uint after = (at + 1u);
+    float span = (places[(after / 4u)][(after % 4u)] - place);
+    float t = clamp(divided((x - place), span), 0.0, 1.0);
+    if ((at > 0u)) {
+        float before = places[((at - 1u) / 4u)][((at - 1u) % 4u)];
+        from_a = ramp_slope((colors[at] - colors[(at - 1u)]), (place - before), (colors[after] - colors[at]), span);
     }
-    if (((after_1 + 1u) < 5u)) {
-        float _e119 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e119 - (place_5 + span));
-        vec4 _e123 = colors[after_1];
-        uint _e124 = at;
-        vec4 _e126 = colors[_e124];
-        vec4 _e131 = colors[(after_1 + 1u)];
-        vec4 _e133 = colors[after_1];
-        vec4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
-        to_b_1 = _e135;
+    if (((after + 1u) < 5u)) {
+        float next = (places[((after + 1u) / 4u)][((after + 1u) % 4u)] - (place + span));
+        to_b = ramp_slope((colors[after] - colors[at]), span, (colors[(after + 1u)] - colors[after]), next);
     }
-    uint _e136 = at;
-    vec4 _e138 = colors[_e136];
-    vec4 _e140 = colors[after_1];
-    vec4 _e141 = from_a_1;
-    vec4 _e143 = to_b_1;
-    vec4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_1);
-    vec4 _e146 = bounded_vec4_(_e145);
-    return _e146;
+    return bounded_vec4(hermite(colors[at], colors[after], (span * from_a), (span * to_b), t));
 }
 
+/// Premultiplied RGBA of a straight color.
 vec4 premultiplied(vec4 color) {
     return vec4((color.xyz * color.w), color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 vec4 straight(vec4 composite) {
     if ((composite.w <= 0.0)) {
         return composite;
@@ -279,220 +278,195 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
+vec4 output_(vec4 color) {
+    return finite_vec4(straight(color));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_4 = uvec3(0u);
-    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_4;
-    uvec3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_4;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_2 = ((axis == 0u) ? d.y : d.x);
-    float b_2 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b_2 : -(b_2)));
+    float a = ((axis == 0u) ? d.y : d.x);
+    float b = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float perlin_noise(vec3 p, uint seed_1) {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(vec3 p, uint seed) {
     int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
-    vec3 d_4 = (p - corner);
-    vec3 f = (((d_4 * d_4) * d_4) * ((d_4 * ((d_4 * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 d = (p - corner);
+    vec3 f = (((d * d) * d) * ((d * ((d * 6.0) - vec3(15.0))) + vec3(10.0)));
     ivec3 cell = ivec3(corner);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            int _e64 = i;
-            i = (_e64 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_1 = false;
-        int _e21 = i;
-        if (!((_e21 < 8))) {
+        loop_init = false;
+        if (!((i < 8))) {
             break;
         }
-        int _e25 = i;
-        int _e28 = i;
-        int _e33 = i;
-        ivec3 at_2 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight = mix((vec3(1.0) - f), f, equal(at_2, ivec3(1)));
-        float _e44 = sum;
-        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_2)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        float _e61 = gradient_dot(_e58, (d_4 - vec3(at_2)));
-        sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
+        ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+        vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+        uvec3 hash_pcg3d_value = hash_pcg3d((uvec3((cell + at)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - vec3(at)))));
     }
-    float _e67 = sum;
-    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
+    // Clip space is 2 high.
     return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
-vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
-    float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
+vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
+    float size = size_on_screen(-(origin.z), perspective, scale);
+    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
     vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x_8 = ((turn.y * along) + (turn.x * across));
+    vec3 x = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
-    vec3 stretch_4 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    return StretchedPlace(turned, stretch_4);
+    vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
+    return StretchedPlace(turned, stretch);
 }
 
-SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count_3) {
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (count_3 / max(viewport_1.y, 1.0)) : count_3);
-    vec2 p_1 = clamp((place_1 * scale_2), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-float area_square(vec3 stretch_1) {
-    float sum_1 = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
+float area_square(vec3 stretch) {
+    float sum = (stretch.x + stretch.z);
+    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
 }
 
-MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
-    vec2 place_6 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
-    StretchedPlace _e26 = mark_place_of(place_6, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e26.place, _e26.stretch);
+    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace m = mark_place_of(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    return MarkPlace(m.place, m.stretch);
 }
 
-float paper_octave(vec2 place_2, int zoom, float w_2, float fiber, uint seed_2) {
-    float scale_3 = uintBitsToFloat((uint((zoom + 127)) << 23u));
-    vec2 p_2 = clamp((place_2 * scale_3), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (seed_2 + (7u * uint(zoom)));
-    float _e23 = perlin_noise(vec3(p_2, 0.5), own);
-    float grain = (_e23 - 0.5);
-    vec2 q = clamp((2.7 * vec2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e52 = perlin_noise(vec3(q, 0.5), (own + 1u));
-    float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_3)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_3)));
+/// The height of paper in one octave; paper finer than a pixel is flat.
+float paper_octave(vec2 place, int zoom, float w, float fiber, uint seed) {
+    float scale = uintBitsToFloat((uint((zoom + 127)) << 23u));
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    uint own = (seed + (7u * uint(zoom)));
+    float grain = (perlin_noise(vec3(p, 0.5), own) - 0.5);
+    vec2 q = clamp((2.7 * vec2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), vec2(-4194304.0), vec2(4194304.0));
+    float felt = (perlin_noise(vec3(q, 0.5), (own + 1u)) - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3) {
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// octaves are seen.
+float paper_height(SpacedPlace at, float fiber, uint seed) {
     float height = 0.0;
-    vec2 x_9 = dFdx(at_1.place);
-    vec2 y_1 = dFdy(at_1.place);
-    float w_3 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
-    float _e12 = area_square(at_1.stretch);
-    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_1 = floor(level);
-    float f_1 = (level - zoom_1);
-    float _e26 = paper_octave(at_1.place, int(zoom_1), w_3, fiber_1, seed_3);
-    height = _e26;
-    if ((f_1 > 0.0)) {
-        float _e30 = height;
-        float _e35 = paper_octave(at_1.place, (int(zoom_1) + 1), w_3, fiber_1, seed_3);
-        float both = mix(_e30, _e35, f_1);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
+    vec2 x = dFdx(at.place);
+    vec2 y = dFdy(at.place);
+    float w = sqrt(max(dot(x, x), dot(y, y)));
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    height = paper_octave(at.place, int(zoom), w, fiber, seed);
+    if ((f > 0.0)) {
+        float both = mix(height, paper_octave(at.place, (int(zoom) + 1), w, fiber, seed), f);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
     }
-    float _e53 = height;
-    return _e53;
+    return height;
 }
 
-PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_4, float tooth, float fiber_2, int seed_4, vec2 viewport_3) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_4);
-    float _e10 = paper_height(_e8, fiber_2, 5u);
-    return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
+PaperGrain paper_grain(float value, vec2 place, vec3 stretch, float count, float tooth, float fiber, int seed, vec2 viewport) {
+    float height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
+    return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
 }
 
-PaperGrain paper_grain_2_(float value_1, vec2 place_4, vec3 stretch_3, float count_5, float tooth_1, float fiber_3, int seed_5, vec2 viewport_4) {
-    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
-    float _e10 = paper_height(_e8, fiber_3, 0u);
-    float ink = (1.0 - clamp(value_1, 0.0, 1.0));
-    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
+PaperGrain paper_grain_2(float value, vec2 place, vec3 stretch, float count, float tooth, float fiber, int seed, vec2 viewport) {
+    float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
+    float ink = (1.0 - clamp(value, 0.0, 1.0));
+    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.key.direction;
-    float light_and_shade = max(((dot(surface.normal, _e5) + 0.5) / 1.5), 0.0);
-    vec2 _e18 = u_look.viewport;
-    MarkPlace _e19 = mark_place_object(0.0, surface.anchor, surface.pixel, _e18);
-    vec2 _e29 = u_look.viewport;
-    PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, 5, _e29);
-    float _e32 = bounded(_e30.height);
-    float uneven_edge = mix(-0.2, 0.2, (_e32 - 0.0));
+    float light_and_shade = max(((dot(surface.normal, u_look.key.direction) + 0.5) / 1.5), 0.0);
+    MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel, u_look.viewport);
+    PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place, paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5, u_look.viewport);
+    float uneven_edge = mix(-0.2, 0.2, (bounded(where_water_stood.height) - 0.0));
     float wet = (light_and_shade + uneven_edge);
-    float _e45 = footprint_of_2_(wet);
-    float _e51 = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(vec2((4.0 * _e45), 0.22)));
-    float washes = clamp((_e51 / 3.0), 0.0, 1.0);
+    float stairs_filtered_value = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(vec2((4.0 * footprint_of_2(wet)), 0.22)));
+    float washes = clamp((stairs_filtered_value / 3.0), 0.0, 1.0);
     float pigment_in_them = mix(washes, wet, 0.35);
-    vec2 _e67 = u_look.viewport;
-    PaperGrain _e68 = paper_grain_2_(pigment_in_them, _e19.place, _e19.stretch, 260.0, 0.2, 0.6, 0, _e67);
-    float _e71 = bounded(_e68.tone);
-    float _e73 = footprint_of(_e68.tone);
-    vec4 _e74 = ramp_at(indigo_to_warm_paper, _e71, _e73);
-    vec4 output_alpha = vec4(_e74.xyz, clamp(_e74.w, 0.0, 1.0));
-    vec4 _e81 = premultiplied(output_alpha);
-    vec4 _e82 = output_(_e81);
-    return _e82;
+    PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0, u_look.viewport);
+    vec4 indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
+    vec4 output_alpha = vec4(indigo_to_warm_paper_2.xyz, clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
+    return output_(premultiplied(output_alpha));
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? _e3 : -(_e3));
-    vec4 _e10 = u_view.screen;
-    vec4 _e15 = u_view.screen;
-    mat4x4 _e20 = u_view.camera_from_world;
-    vec4 _e24 = u_object.world_from_object[3];
-    float _e33 = u_view.eye.w;
-    float _e38 = u_view.clip_from_world[0][1];
-    float _e43 = u_view.clip_from_world[1][1];
-    float _e48 = u_view.clip_from_world[2][1];
-    vec3 _e51 = anchor_on_screen((_e20 * vec4(_e24.xyz, 1.0)).xyz, _e33, length(vec3(_e38, _e43, _e48)));
-    Surface surface_1 = Surface(normal, ((in_.clip.xy * _e10.xy) + _e15.zw), _e51);
-    vec4 _e53 = shade(surface_1);
-    vec4 _e54 = finite_vec4_(_e53);
-    out_color = _e54;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value);
+    out_color = finite_vec4(shade(surface));
     return;
 }
 

@@ -2,34 +2,42 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // paper-wash.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     float4 screen;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     float2 viewport;
     int _pad1_0;
@@ -37,6 +45,7 @@ struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -47,23 +56,35 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     float2 place;
     int _pad1_0;
     int _pad1_1;
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     float3 stretch;
     int _end_pad_0;
 };
 
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
     int _pad1_0;
@@ -73,15 +94,19 @@ struct SpacedPlace {
 };
 
 struct MarkPlace {
+    /// Along the strokes, and across them.
     float2 place;
     int _pad1_0;
     int _pad1_1;
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
     int _end_pad_0;
 };
 
 struct PaperGrain {
+    /// The tone as the paper shows it.
     float tone;
+    /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
 
@@ -95,30 +120,10 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
-static const Ramp indigo_to_warm_paper = ConstructRamp(Constructarray16_float4_(float4(0.13, 0.14, 0.33, 1.0), float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0), float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx), 5u, 1u);
+static const Ramp indigo_to_warm_paper = {{float4(0.13, 0.14, 0.33, 1.0), float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0), float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -135,110 +140,122 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-float4 finite_vec4_(float4 v)
+/// v with 0 for each component that is NaN or infinite.
+float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(float x)
 {
     uint bits = asuint(x);
-    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits_1 = asuint(x_1);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    uint bits = asuint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float4 bounded_vec4_(float4 v_3)
+/// [`bounded`], component by component.
+float4 bounded_vec4(float4 v)
 {
-    uint4 bits_2 = asuint(v_3);
-    uint4 magnitude_1 = (bits_2 & (2147483647u).xxxx);
-    float4 largest_1 = asfloat(((bits_2 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
-    return ((magnitude_1 < (2139095040u).xxxx) ? v_3 : numbers);
+    uint4 bits = asuint(v);
+    uint4 magnitude = (bits & (2147483647u).xxxx);
+    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
+    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d_1 = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
+    float2 d = float2(ddx(x), ddy(x));
+    return bounded(sqrt(dot(d, d)));
 }
 
-float footprint_of_2_(float x_3)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of_2(float x)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
-    float2 d_2 = float2(_e1, _e2);
-    return sqrt(dot(d_2, d_2));
+    float2 d = float2(ddx(x), ddy(x));
+    return sqrt(dot(d, d));
 }
 
-float stairs_integral(float x_4, float count)
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral(float x, float count)
 {
-    float inside = min(x_4, count);
+    float inside = min(x, count);
     float stair = min(floor(inside), 3.0);
-    float beyond = max((x_4 - count), 0.0);
+    float beyond = max((x - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
 }
 
-float stairs_integral_2_(float x_5, float count_1)
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral_2(float x, float count)
 {
-    float inside_1 = max(x_5, 0.0);
-    float stair_1 = floor(inside_1);
-    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+    float inside = max(x, 0.0);
+    float stair = floor(inside);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
 }
 
-float stairs_filtered(float x_6, float count_2, float w)
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
+float stairs_filtered(float x, float count, float w)
 {
     if ((w <= 1.0)) {
-        float edge = clamp(round(x_6), 1.0, 3.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
+        float edge = clamp(round(x), 1.0, 3.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
     }
     float half_ = (0.5 * w);
-    const float _e22 = stairs_integral((x_6 + half_), count_2);
-    const float _e24 = stairs_integral_2_((x_6 - half_), count_2);
-    return ((_e22 - _e24) / (2.0 * half_));
+    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
 }
 
-float4 hermite(float4 a_1, float4 b_1, float4 from_a, float4 to_b, float t)
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
+float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d_3 = (b_1 - a_1);
-    return (a_1 + (t * (from_a + (t * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_3))))))));
+    float4 d = (b - a);
+    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after)
 {
     if (((before * after) <= 0.0)) {
@@ -246,25 +263,21 @@ float harmonic_slope(float before, float span_before, float after, float span_af
     }
     float weight_before = ((2.0 * span_after) + span_before);
     float weight_after = (span_after + (2.0 * span_before));
-    const float _e18 = divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
-    return _e18;
+    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
 }
 
-float4 ramp_slope(float4 rise_before, float span_before_1, float4 rise_after, float span_after_1)
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
+float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, float span_after)
 {
-    const float _e5 = divided(rise_before.x, span_before_1);
-    const float _e7 = divided(rise_after.x, span_after_1);
-    const float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    const float _e10 = divided(rise_before.y, span_before_1);
-    const float _e12 = divided(rise_after.y, span_after_1);
-    const float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    const float _e15 = divided(rise_before.z, span_before_1);
-    const float _e17 = divided(rise_after.z, span_after_1);
-    const float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    const float _e20 = divided(rise_before.w, span_before_1);
-    const float _e22 = divided(rise_after.w, span_after_1);
-    const float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return float4(_e8, _e13, _e18, _e23);
+    const float divided_value = divided(rise_after.x, span_after);
+    const float divided_value_1 = divided(rise_after.y, span_after);
+    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value_1, span_after);
+    const float divided_value_2 = divided(rise_after.z, span_after);
+    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_2, span_after);
+    const float divided_value_3 = divided(rise_after.w, span_after);
+    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_3, span_after);
+    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value, span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -275,94 +288,64 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_7, float w_1)
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
-    uint i_2_ = 1u;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
+    uint i_2 = 1u;
     uint at = 0u;
-    float4 from_a_1 = (0.0).xxxx;
-    float4 to_b_1 = (0.0).xxxx;
+    float4 from_a = (0.0).xxxx;
+    float4 to_b = (0.0).xxxx;
 
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e28 = i_2_;
-            i_2_ = (_e28 + 1u);
+            i_2 = (i_2 + 1u);
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 5u))) {
+        if (!((i_2 < 5u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e17 = i_2_;
-        uint _e21 = i_2_;
-        float _e25 = places[min(uint(naga_div(_e17, 4u)), 3u)][min(uint(naga_mod(_e21, 4u)), 3u)];
-        at = ((_e25 <= x_7) ? _e16 : _e15);
+        float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)), 3u)];
+        at = ((places_now <= x) ? i_2 : at);
     }
-    uint _e31 = at;
-    uint _e35 = at;
-    float place_5 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
-    uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_5))) {
-        uint _e47 = at;
-        float4 _e49 = colors[min(uint(_e47), 15u)];
-        return _e49;
+    float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
+    if ((((at + 1u) >= 5u) | (x <= place))) {
+        return colors[min(uint(at), 15u)];
     }
-    uint _e50 = at;
-    uint after_1 = (_e50 + 1u);
-    float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span = (_e59 - place_5);
-    const float _e62 = divided((x_7 - place_5), span);
-    float t_1 = clamp(_e62, 0.0, 1.0);
-    uint _e69 = at;
-    if ((_e69 > 0u)) {
-        uint _e72 = at;
-        uint _e78 = at;
-        float before_1 = places[min(uint(naga_div((_e72 - 1u), 4u)), 3u)][min(uint(naga_mod((_e78 - 1u), 4u)), 3u)];
-        uint _e85 = at;
-        float4 _e87 = colors[min(uint(_e85), 15u)];
-        uint _e88 = at;
-        float4 _e92 = colors[min(uint((_e88 - 1u)), 15u)];
-        float4 _e96 = colors[min(uint(after_1), 15u)];
-        uint _e97 = at;
-        float4 _e99 = colors[min(uint(_e97), 15u)];
-        const float4 _e101 = ramp_slope((_e87 - _e92), (place_5 - before_1), (_e96 - _e99), span);
-        from_a_1 = _e101;
+    uint after = (at + 1u);
+    float span = (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
+    float t = clamp(divided((x - place), span), 0.0, 1.0);
+    if ((at > 0u)) {
+        float before = places[min(uint(naga_div((at - 1u), 4u)), 3u)][min(uint(naga_mod((at - 1u), 4u)), 3u)];
+        float4 colors_now = colors[min(uint((at - 1u)), 15u)];
+        float4 colors_now_1 = colors[min(uint(after), 15u)];
+        float4 colors_now_2 = colors[min(uint(at), 15u)];
+        from_a = ramp_slope((colors[min(uint(at), 15u)] - colors_now), (place - before), (colors_now_1 - colors_now_2), span);
     }
-    if (((after_1 + 1u) < 5u)) {
-        float _e119 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e119 - (place_5 + span));
-        float4 _e123 = colors[min(uint(after_1), 15u)];
-        uint _e124 = at;
-        float4 _e126 = colors[min(uint(_e124), 15u)];
-        float4 _e131 = colors[min(uint((after_1 + 1u)), 15u)];
-        float4 _e133 = colors[min(uint(after_1), 15u)];
-        const float4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
-        to_b_1 = _e135;
+    if (((after + 1u) < 5u)) {
+        float places_now_1 = places[min(uint(naga_div((after + 1u), 4u)), 3u)][min(uint(naga_mod((after + 1u), 4u)), 3u)];
+        float next = (places_now_1 - (place + span));
+        float4 colors_now_3 = colors[min(uint((after + 1u)), 15u)];
+        float4 colors_now_4 = colors[min(uint(after), 15u)];
+        to_b = ramp_slope((colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)]), span, (colors_now_3 - colors_now_4), next);
     }
-    uint _e136 = at;
-    float4 _e138 = colors[min(uint(_e136), 15u)];
-    float4 _e140 = colors[min(uint(after_1), 15u)];
-    float4 _e141 = from_a_1;
-    float4 _e143 = to_b_1;
-    const float4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_1);
-    const float4 _e146 = bounded_vec4_(_e145);
-    return _e146;
+    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], (span * from_a), (span * to_b), t);
+    return bounded_vec4(hermite_value);
 }
 
+/// Premultiplied RGBA of a straight color.
 float4 premultiplied(float4 color)
 {
     return float4((color.xyz * color.w), color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -371,109 +354,91 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_1)
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
+float4 output(float4 color)
 {
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return finite_vec4(straight(color));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_4 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_4.x;
-    uint _e10 = v_4.y;
-    uint _e12 = v_4.z;
-    v_4.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_4.y;
-    uint _e18 = v_4.z;
-    uint _e20 = v_4.x;
-    v_4.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_4.z;
-    uint _e26 = v_4.x;
-    uint _e28 = v_4.y;
-    v_4.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_4;
-    uint3 _e32 = v_4;
-    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_4.x;
-    uint _e40 = v_4.y;
-    uint _e42 = v_4.z;
-    v_4.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_4.y;
-    uint _e48 = v_4.z;
-    uint _e50 = v_4.x;
-    v_4.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_4.z;
-    uint _e56 = v_4.x;
-    uint _e58 = v_4.y;
-    v_4.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_4;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_2 = ((axis == 0u) ? d.y : d.x);
-    float b_2 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b_2 : -(b_2)));
+    float a = ((axis == 0u) ? d.y : d.x);
+    float b = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float perlin_noise(float3 p, uint seed_1)
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(float3 p, uint seed)
 {
     int i = int(0);
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 d_4 = (p - corner);
-    float3 f = (((d_4 * d_4) * d_4) * ((d_4 * ((d_4 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 d = (p - corner);
+    float3 f = (((d * d) * d) * ((d * ((d * 6.0) - (15.0).xxx)) + (10.0).xxx));
     int3 cell = naga_f2i32(corner);
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e64 = i;
-            i = asint(asuint(_e64) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e21 = i;
-        if (!((_e21 < int(8)))) {
+        loop_init = false;
+        if (!((i < int(8)))) {
             break;
         }
-        int _e25 = i;
-        int _e28 = i;
-        int _e33 = i;
-        int3 at_2 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
-        float3 weight = ((at_2 == (int(1)).xxx) ? f : ((1.0).xxx - f));
-        float _e44 = sum;
-        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_2))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-        const float _e61 = gradient_dot(_e58, (d_4 - float3(at_2)));
-        sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
+        int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
+        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - float3(at)))));
     }
-    float _e67 = sum;
-    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale)
 {
+    // Clip space is 2 high.
     return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
-float3 anchor_on_screen(float3 origin, float perspective_1, float scale_1)
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
+float3 anchor_on_screen(float3 origin, float perspective, float scale)
 {
-    const float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    return clamp(float3((origin.x * _e5), (-(origin.y) * _e5), _e5), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float size = size_on_screen(-(origin.z), perspective, scale);
+    return clamp(float3((origin.x * size), (-(origin.y) * size), size), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
 }
 
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
     float2 from_middle = (pixel - (0.5 * viewport));
@@ -487,14 +452,16 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x_8 = ((turn.y * along) + (turn.x * across));
+    float3 x = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
-    float3 stretch_4 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch_4);
+    float3 stretch = float3(dot(x, x), dot(x, y), dot(y, y));
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
     return stretchedplace;
 }
 
@@ -505,19 +472,24 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_3)
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (count_3 / max(viewport_1.y, 1.0)) : count_3);
-    float2 p_1 = clamp((place_1 * scale_2), (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
 
-float area_square(float3 stretch_1)
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
+float area_square(float3 stretch)
 {
-    float sum_1 = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+    float sum = (stretch.x + stretch.z);
+    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -527,28 +499,26 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
+MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 viewport)
 {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    const float2 _e8 = place_in_picture(pixel_1, viewport_2);
-    float2 place_6 = ((_e8 - float2(anchor.x, -(anchor.y))) / (size).xx);
-    const StretchedPlace _e26 = mark_place_of(place_6, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e26.place, _e26.stretch);
+    float2 place = ((place_in_picture(pixel, viewport) - float2(anchor.x, -(anchor.y))) / (size).xx);
+    const StretchedPlace m = mark_place_of(place, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle);
+    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
     return markplace;
 }
 
-float paper_octave(float2 place_2, int zoom, float w_2, float fiber, uint seed_2)
+/// The height of paper in one octave; paper finer than a pixel is flat.
+float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
 {
-    float scale_3 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p_2 = clamp((place_2 * scale_3), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed_2 + (7u * asuint(zoom)));
-    const float _e23 = perlin_noise(float3(p_2, 0.5), own);
-    float grain = (_e23 - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e52 = perlin_noise(float3(q, 0.5), (own + 1u));
-    float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_3)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_3)));
+    float scale = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
+    uint own = (seed + (7u * asuint(zoom)));
+    float grain = (perlin_noise(float3(p, 0.5), own) - 0.5);
+    float2 q = clamp((2.7 * float2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), (-4194304.0).xx, (4194304.0).xx);
+    float felt = (perlin_noise(float3(q, 0.5), (own + 1u)) - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -556,28 +526,25 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3)
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// octaves are seen.
+float paper_height(SpacedPlace at, float fiber, uint seed)
 {
     float height = (float)0;
 
-    float2 x_9 = ddx(at_1.place);
-    float2 y_1 = ddy(at_1.place);
-    float w_3 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
-    const float _e12 = area_square(at_1.stretch);
-    const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_1 = floor(level);
-    float f_1 = (level - zoom_1);
-    const float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_3, fiber_1, seed_3);
-    height = _e26;
-    if ((f_1 > 0.0)) {
-        float _e30 = height;
-        const float _e35 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_3, fiber_1, seed_3);
-        float both = lerp(_e30, _e35, f_1);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
+    float2 x = ddx(at.place);
+    float2 y = ddy(at.place);
+    float w = sqrt(max(dot(x, x), dot(y, y)));
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
+    if ((f > 0.0)) {
+        const float paper_octave_value = paper_octave(at.place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+        float both = lerp(height, paper_octave_value, f);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
     }
-    float _e53 = height;
-    return _e53;
+    return height;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -587,47 +554,46 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_4, float tooth, float fiber_2, int seed_4, float2 viewport_3)
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
+PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
 {
-    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_4);
-    const float _e10 = paper_height(_e8, fiber_2, 5u);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
+    const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
+    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
     return papergrain;
 }
 
-PaperGrain paper_grain_2_(float value_1, float2 place_4, float3 stretch_3, float count_5, float tooth_1, float fiber_3, int seed_5, float2 viewport_4)
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
+PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
 {
-    const SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
-    const float _e10 = paper_height(_e8, fiber_3, 0u);
-    float ink = (1.0 - clamp(value_1, 0.0, 1.0));
-    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
+    const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
+    float ink = (1.0 - clamp(value, 0.0, 1.0));
+    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
     return papergrain_1;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float light_and_shade = max(((dot(surface.normal, _e5) + 0.5) / 1.5), 0.0);
-    float2 _e18 = look.viewport;
-    const MarkPlace _e19 = mark_place_object(0.0, surface.anchor, surface.pixel, _e18);
-    float2 _e29 = look.viewport;
-    const PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, int(5), _e29);
-    const float _e32 = bounded(_e30.height);
-    float uneven_edge = lerp(-0.2, 0.2, (_e32 - 0.0));
+    float light_and_shade = max(((dot(surface.normal, look.key.direction) + 0.5) / 1.5), 0.0);
+    const MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
+    const PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place, paper_that_goes_along.stretch, 11.0, 0.0, 0.7, int(5), look.viewport);
+    float uneven_edge = lerp(-0.2, 0.2, (bounded(where_water_stood.height) - 0.0));
     float wet = (light_and_shade + uneven_edge);
-    const float _e45 = footprint_of_2_(wet);
-    const float _e51 = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(float2((4.0 * _e45), 0.22)));
-    float washes = clamp((_e51 / 3.0), 0.0, 1.0);
+    const float stairs_filtered_value = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(float2((4.0 * footprint_of_2(wet)), 0.22)));
+    float washes = clamp((stairs_filtered_value / 3.0), 0.0, 1.0);
     float pigment_in_them = lerp(washes, wet, 0.35);
-    float2 _e67 = look.viewport;
-    const PaperGrain _e68 = paper_grain_2_(pigment_in_them, _e19.place, _e19.stretch, 260.0, 0.2, 0.6, int(0), _e67);
-    const float _e71 = bounded(_e68.tone);
-    const float _e73 = footprint_of(_e68.tone);
-    const float4 _e74 = ramp_at(indigo_to_warm_paper, _e71, _e73);
-    float4 output_alpha = float4(_e74.xyz, clamp(_e74.w, 0.0, 1.0));
-    const float4 _e81 = premultiplied(output_alpha);
-    const float4 _e82 = output(_e81);
-    return _e82;
+    const PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, int(0), look.viewport);
+    const float4 indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
+    float4 output_alpha = float4(indigo_to_warm_paper_2.xyz, clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
+    return output(premultiplied(output_alpha));
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1) {
@@ -639,11 +605,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e14 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), mul(vertex.normal, _e14));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -660,19 +623,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_2 = (is_front ? _e3 : -(_e3));
-    float4 _e10 = view.screen;
-    float4 _e15 = view.screen;
-    float4x4 _e20 = view.camera_from_world;
-    float4 _e24 = object.world_from_object[3];
-    float _e33 = view.eye.w;
-    float _e38 = view.clip_from_world[0].y;
-    float _e43 = view.clip_from_world[1].y;
-    float _e48 = view.clip_from_world[2].y;
-    const float3 _e51 = anchor_on_screen(mul(float4(_e24.xyz, 1.0), _e20).xyz, _e33, length(float3(_e38, _e43, _e48)));
-    Surface surface_1 = ConstructSurface(normal_2, ((in_.clip_.xy * _e10.xy) + _e15.zw), _e51);
-    const float4 _e53 = shade(surface_1);
-    const float4 _e54 = finite_vec4_(_e53);
-    return _e54;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz, 1.0), view.camera_from_world).xyz, view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, ((in_.clip_.xy * view.screen.xy) + view.screen.zw), anchor_on_screen_value);
+    return finite_vec4(shade(surface));
 }

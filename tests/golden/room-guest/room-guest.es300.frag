@@ -7,12 +7,18 @@
 precision highp float;
 precision highp int;
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec3 eye_position;
     mat3x3 eye_own_from_world;
@@ -34,39 +40,62 @@ struct Look {
     vec3 sun_direction;
     Light sun;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 position;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
 };
 struct LightParts {
+    /// Unit, toward the light, world space.
     vec3 direction;
+    /// The light's color, opaque.
     vec4 color;
+    /// With the light's distance and cone attenuation; 0 or more.
     float intensity;
 };
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     vec2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -83,10 +112,15 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
@@ -94,328 +128,337 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_2, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
-    float c = (u_2.half_cos + 0.0);
-    vec2 upper_1 = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c));
-    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    float c = (u.half_cos + 0.0);
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_1) {
-    uint bits = floatBitsToUint(x_1);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_1 = floatBitsToUint(v_3);
-    uvec3 magnitude_1 = (bits_1 & uvec3(2147483647u));
-    vec3 largest_2 = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
+/// [`bounded`], component by component.
+vec3 bounded_vec3(vec3 v) {
+    uvec3 bits = floatBitsToUint(v);
+    uvec3 magnitude = (bits & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_4) {
-    uvec4 bits_2 = floatBitsToUint(v_4);
-    uvec4 magnitude_2 = (bits_2 & uvec4(2147483647u));
-    vec4 largest_3 = uintBitsToFloat(((bits_2 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_1 = mix(vec4(0.0), largest_3, equal(magnitude_2, uvec4(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
+/// [`bounded`], component by component.
+vec4 bounded_vec4(vec4 v) {
+    uvec4 bits = floatBitsToUint(v);
+    uvec4 magnitude = (bits & uvec4(2147483647u));
+    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
 
-float place_between(float x_2, float low, float high) {
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high) {
     float span = (high - low);
     if ((span < SMALLEST_NORMAL)) {
-        return ((x_2 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    float _e12 = bounded(((x_2 - low) / span));
-    return _e12;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_3, float low_1, float high_1) {
-    float _e3 = place_between(x_3, low_1, high_1);
-    float t_2 = clamp(_e3, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(place_between(x, low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
+/// Relative luminance by the Rec. 709 weights, of the numbers as they stand.
 float luminance(vec4 color) {
     return dot(color.xyz, vec3(0.2126, 0.7152, 0.0722));
 }
 
-vec4 limit_color(vec4 color_1, float limit, float softness) {
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white. Channels beyond 1e18 count as that.
+vec4 limit_color(vec4 color, float limit, float softness) {
     float knee = (1.0 - softness);
-    float brightest = max(max(color_1.x, color_1.y), color_1.z);
+    float brightest = max(max(color.x, color.y), color.z);
     if ((brightest <= knee)) {
-        return vec4(color_1.xyz, 1.0);
+        return vec4(color.xyz, 1.0);
     }
     float room = (limit - knee);
     float above = (brightest - knee);
     float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return vec4((color_1.xyz * min((pressed / brightest), 1.0)), 1.0);
+    return vec4((color.xyz * min((pressed / brightest), 1.0)), 1.0);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
-    float square_2 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e28, cross(toward, _e28), toward);
+    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(x, cross(toward, x), toward);
 }
 
-mat3x3 axes_turned(vec3 toward_1, float spin) {
-    mat3x3 _e6 = axes_around(toward_1, vec3(0.0, 1.0, 0.0));
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+mat3x3 axes_turned(vec3 toward, float spin) {
+    mat3x3 axes = axes_around(toward, vec3(0.0, 1.0, 0.0));
     vec2 turn = vec2(0.0, 1.0);
-    return mat3x3(((turn.y * _e6[0]) + (turn.x * _e6[1])), ((turn.y * _e6[1]) - (turn.x * _e6[0])), _e6[2]);
+    return mat3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 vec3 place_along(vec3 place, vec3 center, mat3x3 axes) {
     vec3 away = clamp((place - center), vec3(-1000000.0), vec3(1000000.0));
     return vec3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
-float share_beside(float m, float softness_1, float density, bool inverted) {
-    float _e4 = footprint_of(m);
-    float half_1 = (0.5 * min(_e4, 0.25));
-    float _e13 = eased(m, (1.0 - half_1), (1.0 + half_1));
-    return (1.0 - _e13);
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
+float share_beside(float m, float softness, float density, bool inverted) {
+    float half_ = (0.5 * min(footprint_of(m), 0.25));
+    float beside = eased(m, (1.0 - half_), (1.0 + half_));
+    return (1.0 - beside);
 }
 
-Angle angle_filtered(Angle u_3, float share) {
-    float cosine = (u_3.half_cos * share);
-    float square_3 = ((u_3.half_sin * u_3.half_sin) + (cosine * cosine));
-    float scale = inversesqrt(max(square_3, 1e-30));
-    bool is_dark = (square_3 < 1e-30);
-    return Angle((is_dark ? 1.0 : (u_3.half_sin * scale)), (is_dark ? 0.0 : (cosine * scale)));
+/// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
+/// the dark side grows from its edge as less passes, and everything is dark where nothing does.
+Angle angle_filtered(Angle u, float share) {
+    float cosine = (u.half_cos * share);
+    float square = ((u.half_sin * u.half_sin) + (cosine * cosine));
+    float scale = inversesqrt(max(square, 1e-30));
+    bool is_dark = (square < 1e-30);
+    return Angle((is_dark ? 1.0 : (u.half_sin * scale)), (is_dark ? 0.0 : (cosine * scale)));
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, vec2 fading) {
     float left = 1.0;
     if ((fading.x > 0.0)) {
-        float d_1 = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d_1 * d_1)));
+        float d = min((distance_ / fading.x), 1000000000000000.0);
+        left = (1.0 / (1.0 + (d * d)));
     }
     if ((fading.y > 0.0)) {
-        float d_2 = min((distance_ / fading.y), 1.0);
-        float window_1 = max((1.0 - (((d_2 * d_2) * d_2) * d_2)), 0.0);
-        float _e30 = left;
-        left = (_e30 * (window_1 * window_1));
+        float d_1 = min((distance_ / fading.y), 1.0);
+        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
+        left = (left * (window * window));
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
-Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color_2, float intensity, vec2 fading_1, vec3 position) {
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
+Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading, vec3 position) {
     vec3 offset = (light_position - position);
-    vec3 _e11 = normalize_or(offset, vec3(0.0, 0.0, 1.0));
-    float _e13 = light_fading(length(offset), fading_1);
-    float faded = (intensity * _e13);
-    return Light(_e11, (own_from_world * _e11), color_2, faded);
+    vec3 direction = normalize_or(offset, vec3(0.0, 0.0, 1.0));
+    float faded = (intensity * light_fading(length(offset), fading));
+    return Light(direction, (own_from_world * direction), color, faded);
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, vec2 cone) {
     if ((cone.x <= cone.y)) {
         return ((cos_angle >= cone.y) ? 1.0 : 0.0);
     }
-    float t_3 = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-Light light_spot(vec3 light_position_1, vec3 aim, mat3x3 own_from_world_1, vec3 color_3, float intensity_1, vec2 cone_1, vec2 fading_2, vec3 position_1) {
+Light light_spot(vec3 light_position, vec3 aim, mat3x3 own_from_world, vec3 color, float intensity, vec2 cone, vec2 fading, vec3 position) {
     Light light = Light(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    Light _e8 = light_at(light_position_1, own_from_world_1, color_3, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    vec3 _e13 = light.direction;
-    float _e16 = light_cone(dot(-(_e13), aim), cone_1);
-    light.intensity = (_e11 * _e16);
-    Light _e18 = light;
-    return _e18;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
+    return light;
 }
 
-LitLayer light_apply(Light light_1, vec4 color_4, float tone) {
-    vec2 split = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_4.xyz * light_1.color) * split.y), 1.0), (tone * split.x));
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-LightParts light_parts(Light light_2) {
-    return LightParts(light_2.direction, vec4(light_2.color, 1.0), light_2.intensity);
+/// Light parts
+///
+/// Takes a light apart, for shading that the other nodes do not know.
+LightParts light_parts(Light light) {
+    return LightParts(light.direction, vec4(light.color, 1.0), light.intensity);
 }
 
 PlaceInLight place_in_light(vec2 at) {
     vec2 near = clamp(at, vec2(-1000.0), vec2(1000.0));
-    float _e14 = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
-    return PlaceInLight((vec2(0.5) + (0.5 * vec2(-(near.x), near.y))), _e14);
+    float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
+    return PlaceInLight((vec2(0.5) + (0.5 * vec2(-(near.x), near.y))), inside);
 }
 
-Angle parametrization_diffuse_balanced(Light light_3, vec3 normal) {
-    return Angle((0.5 * length((normal - light_3.direction))), (0.5 * length((normal + light_3.direction))));
+Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
+    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1) {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_4, float w_1, ProfileShape shape_2) {
-    vec2 place_1 = vec2(((u_4.half_sin * shape_2.half_cos_offset) - (u_4.half_cos * shape_2.half_sin_offset)), ((u_4.half_cos * shape_2.half_cos_offset) + (u_4.half_sin * shape_2.half_sin_offset)));
-    bool is_narrow = ((w_1 > 0.0) && (w_1 >= (3.4641016 * shape_2.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_1);
-    vec2 turn_1 = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_2);
-    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_2);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_3) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_4) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float window(vec2 uv, float bars, float softness_2) {
+/// Window
+///
+/// Four panes of a window: 1 through the glass, 0 at its bars and beyond.
+float window(vec2 uv, float bars, float softness) {
     vec2 from_edge = (vec2(0.5) - abs((uv - vec2(0.5))));
     vec2 from_cross = abs((uv - vec2(0.5)));
-    vec2 within = smoothstep(vec2(bars), vec2((bars + softness_2)), from_edge);
-    vec2 beside = smoothstep(vec2((0.5 * bars)), vec2(((0.5 * bars) + softness_2)), from_cross);
+    vec2 within = smoothstep(vec2(bars), vec2((bars + softness)), from_edge);
+    vec2 beside = smoothstep(vec2((0.5 * bars)), vec2(((0.5 * bars) + softness)), from_cross);
     return (((within.x * within.y) * beside.x) * beside.y);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e3 = u_look.eye_position;
-    mat3x3 _e6 = u_look.eye_own_from_world;
-    vec3 _e9 = u_look.eye_color;
-    float _e12 = u_look.eye_intensity;
-    vec2 _e15 = u_look.eye_fading;
-    Light _e17 = light_at(_e3, _e6, _e9, _e12, _e15, surface.position);
-    LightParts _e18 = light_parts(_e17);
-    vec4 _e25 = bounded_vec4_((_e18.color * vec4(vec3(_e18.intensity), 1.0)));
-    Angle _e27 = parametrization_diffuse_balanced(_e17, surface.normal);
-    float _e30 = profile_balanced(_e27, 0.0, lamps_eye_tone_shape);
-    vec4 _e35 = bounded_vec4_((_e25 * vec4(vec3(_e30), 1.0)));
-    vec3 _e38 = u_look.rim_position;
-    vec3 _e41 = u_look.rim_aim;
-    mat3x3 _e44 = u_look.rim_own_from_world;
-    vec3 _e47 = u_look.rim_color;
-    float _e50 = u_look.rim_intensity;
-    vec2 _e53 = u_look.rim_cone;
-    vec2 _e56 = u_look.rim_fading;
-    Light _e58 = light_spot(_e38, _e41, _e44, _e47, _e50, _e53, _e56, surface.position);
-    LightParts _e59 = light_parts(_e58);
-    vec4 _e66 = bounded_vec4_((_e59.color * vec4(vec3(_e59.intensity), 1.0)));
-    Angle _e68 = parametrization_diffuse_balanced(_e58, surface.normal);
-    float _e71 = profile_balanced(_e68, 0.0, lamps_eye_tone_shape);
-    vec4 _e76 = bounded_vec4_((_e66 * vec4(vec3(_e71), 1.0)));
-    vec3 _e79 = u_look.fill_position;
-    mat3x3 _e82 = u_look.fill_own_from_world;
-    vec3 _e85 = u_look.fill_color;
-    float _e88 = u_look.fill_intensity;
-    vec2 _e91 = u_look.fill_fading;
-    Light _e93 = light_at(_e79, _e82, _e85, _e88, _e91, surface.position);
-    LightParts _e94 = light_parts(_e93);
-    vec4 _e101 = bounded_vec4_((_e94.color * vec4(vec3(_e94.intensity), 1.0)));
-    Angle _e103 = parametrization_diffuse_balanced(_e93, surface.normal);
-    float _e106 = profile_balanced(_e103, 0.0, lamps_eye_tone_shape);
-    vec4 _e111 = bounded_vec4_((_e101 * vec4(vec3(_e106), 1.0)));
-    vec3 _e121 = bounded_vec3_((vec3(0.0) + _e111.xyz));
-    vec4 lamps_fill_sum = ((_e94.intensity > 0.0) ? vec4(_e121, 1.0) : vec4(0.0, 0.0, 0.0, 1.0));
-    vec3 _e131 = bounded_vec3_((lamps_fill_sum.xyz + _e76.xyz));
-    vec4 lamps_rim_sum = ((_e59.intensity > 0.0) ? vec4(_e131, 1.0) : lamps_fill_sum);
-    vec3 _e141 = bounded_vec3_((lamps_rim_sum.xyz + _e35.xyz));
-    vec4 lamps_eye_sum = ((_e18.intensity > 0.0) ? vec4(_e141, 1.0) : lamps_rim_sum);
+    Light eye = light_at(u_look.eye_position, u_look.eye_own_from_world, u_look.eye_color, u_look.eye_intensity, u_look.eye_fading, surface.position);
+    LightParts eye_2 = light_parts(eye);
+    vec4 lamps_eye_strength = bounded_vec4((eye_2.color * vec4(vec3(eye_2.intensity), 1.0)));
+    Angle lamps_eye_angle = parametrization_diffuse_balanced(eye, surface.normal);
+    float lamps_eye_tone = profile_balanced(lamps_eye_angle, 0.0, lamps_eye_tone_shape);
+    vec4 lamps_eye_lit = bounded_vec4((lamps_eye_strength * vec4(vec3(lamps_eye_tone), 1.0)));
+    Light rim = light_spot(u_look.rim_position, u_look.rim_aim, u_look.rim_own_from_world, u_look.rim_color, u_look.rim_intensity, u_look.rim_cone, u_look.rim_fading, surface.position);
+    LightParts rim_2 = light_parts(rim);
+    vec4 lamps_rim_strength = bounded_vec4((rim_2.color * vec4(vec3(rim_2.intensity), 1.0)));
+    Angle lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
+    float lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_eye_tone_shape);
+    vec4 lamps_rim_lit = bounded_vec4((lamps_rim_strength * vec4(vec3(lamps_rim_tone), 1.0)));
+    Light fill = light_at(u_look.fill_position, u_look.fill_own_from_world, u_look.fill_color, u_look.fill_intensity, u_look.fill_fading, surface.position);
+    LightParts fill_2 = light_parts(fill);
+    vec4 lamps_fill_strength = bounded_vec4((fill_2.color * vec4(vec3(fill_2.intensity), 1.0)));
+    Angle lamps_fill_angle = parametrization_diffuse_balanced(fill, surface.normal);
+    float lamps_fill_tone = profile_balanced(lamps_fill_angle, 0.0, lamps_eye_tone_shape);
+    vec4 lamps_fill_lit = bounded_vec4((lamps_fill_strength * vec4(vec3(lamps_fill_tone), 1.0)));
+    vec3 bounded_vec3_value = bounded_vec3((vec3(0.0) + lamps_fill_lit.xyz));
+    vec4 lamps_fill_sum = ((fill_2.intensity > 0.0) ? vec4(bounded_vec3_value, 1.0) : vec4(0.0, 0.0, 0.0, 1.0));
+    vec3 bounded_vec3_value_1 = bounded_vec3((lamps_fill_sum.xyz + lamps_rim_lit.xyz));
+    vec4 lamps_rim_sum = ((rim_2.intensity > 0.0) ? vec4(bounded_vec3_value_1, 1.0) : lamps_fill_sum);
+    vec3 bounded_vec3_value_2 = bounded_vec3((lamps_rim_sum.xyz + lamps_eye_lit.xyz));
+    vec4 lamps_eye_sum = ((eye_2.intensity > 0.0) ? vec4(bounded_vec3_value_2, 1.0) : lamps_rim_sum);
     vec4 lamplit = (lamps_eye_sum * vec4(0.86, 0.62, 0.44, 1.0));
     vec4 night = (lamplit + vec4(0.1, 0.07, 0.15, 1.0));
     vec4 ground = vec4(night.xyz, 1.0);
-    Light _e165 = u_look.sun;
-    Angle _e167 = parametrization_diffuse_balanced(_e165, surface.normal);
-    vec3 _e175 = u_look.sun_direction;
-    mat3x3 _e178 = axes_turned(-(_e175), 0.0);
-    vec3 _e179 = place_along(surface.position, vec3(0.1, -0.05, 0.0), _e178);
-    PlaceInLight _e184 = place_in_light((_e179.xy / vec2(0.95)));
-    float _e188 = window(_e184.uv, 0.05, 0.02);
-    Light _e191 = u_look.sun;
-    float _e196 = luminance(vec4(1.0));
-    Angle _e200 = angle_filtered(_e167, (min(_e188, 1.0) * min(_e196, 1.0)));
-    FilteredLight filter_2_ = FilteredLight(_e191, _e200);
-    float _e205 = profile_balanced_2_(filter_2_.angle, 0.0, lamps_eye_tone_shape);
-    LitLayer _e212 = light_apply(filter_2_.light, vec4(0.86, 0.62, 0.44, 1.0), _e205);
-    vec4 stack = clamp(vec4((ground.xyz + (_e212.tone * _e212.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e228 = limit_color(stack, 1.0, 0.3);
-    return _e228;
+    Angle sun_angle = parametrization_diffuse_balanced(u_look.sun, surface.normal);
+    vec3 place_along_value = place_along(surface.position, vec3(0.1, -0.05, 0.0), axes_turned(-(u_look.sun_direction), 0.0));
+    PlaceInLight thrown = place_in_light((place_along_value.xy / vec2(0.95)));
+    float window_2 = window(thrown.uv, 0.05, 0.02);
+    FilteredLight filter_2 = FilteredLight(u_look.sun, angle_filtered(sun_angle, (min(window_2, 1.0) * min(luminance(vec4(1.0)), 1.0))));
+    float sun_tone = profile_balanced_2(filter_2.angle, 0.0, lamps_eye_tone_shape);
+    LitLayer sun_lit = light_apply(filter_2.light, vec4(0.86, 0.62, 0.44, 1.0), sun_tone);
+    vec4 stack = clamp(vec4((ground.xyz + (sun_lit.tone * sun_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return limit_color(stack, 1.0, 0.3);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = Surface(normal_1, in_.position);
-    vec4 _e8 = shade(surface_1);
-    out_color = _e8;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, in_.position);
+    out_color = shade(surface);
     return;
 }
 

@@ -13,21 +13,28 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float3 eye_position;
     metal::float3x3 eye_own_from_world;
@@ -51,44 +58,67 @@ struct Look {
     metal::float3 sun_direction;
     Light sun;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 position;
 };
 typedef metal::float4 Color;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
     char _pad2[8];
 };
 struct LightParts {
+    /// Unit, toward the light, world space.
     metal::float3 direction;
+    /// The light's color, opaque.
     Color color;
+    /// With the light's distance and cone attenuation; 0 or more.
     float intensity;
     char _pad3[12];
 };
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     metal::float2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
     char _pad2[4];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -103,12 +133,17 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape lamps_eye_tone_shape = ProfileShape {0.87758255, 0.47942555, 8.353367, 2.4874215, 1.0, 0.117860116, 0.05078552, 0u};
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(
     float x
 ) {
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -119,163 +154,184 @@ metal::float3 normalize_or(
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_2, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_turned_2_(
-    Angle u_2,
-    metal::float2 t_1
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(
+    Angle u,
+    metal::float2 t
 ) {
-    float s_3 = u_2.half_sin - (u_2.half_cos * 0.0);
-    float c = u_2.half_cos + 0.0;
-    metal::float2 upper_1 = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c);
-    metal::float2 turned_1 = ((s_3 <= 0.0) & (s_3 < c)) ? metal::float2(0.0, 1.0) : upper_1;
-    return Angle {turned_1.x, turned_1.y};
+    float s = u.half_sin - (u.half_cos * 0.0);
+    float c = u.half_cos + 0.0;
+    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
+    return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
-    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
+/// [`bounded`], component by component.
+metal::float3 bounded_vec3(
+    metal::float3 v
 ) {
-    metal::uint3 bits_1 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude_1 = bits_1 & metal::uint3(2147483647u);
-    metal::float3 largest_2 = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
+    metal::uint3 bits = as_type<metal::uint3>(v);
+    metal::uint3 magnitude = bits & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
-metal::float4 bounded_vec4_(
-    metal::float4 v_4
+/// [`bounded`], component by component.
+metal::float4 bounded_vec4(
+    metal::float4 v
 ) {
-    metal::uint4 bits_2 = as_type<metal::uint4>(v_4);
-    metal::uint4 magnitude_2 = bits_2 & metal::uint4(2147483647u);
-    metal::float4 largest_3 = as_type<metal::float4>((bits_2 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers_1 = metal::select(metal::float4(0.0), largest_3, magnitude_2 == metal::uint4(2139095040u));
-    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint4(2139095040u));
+    metal::uint4 bits = as_type<metal::uint4>(v);
+    metal::uint4 magnitude = bits & metal::uint4(2147483647u);
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 float place_between(
-    float x_2,
+    float x,
     float low,
     float high
 ) {
     float span = high - low;
     if (span < SMALLEST_NORMAL) {
-        return (x_2 >= high) ? 1.0 : 0.0;
+        return (x >= high) ? 1.0 : 0.0;
     }
-    float _e12 = bounded((x_2 - low) / span);
-    return _e12;
+    return bounded((x - low) / span);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_3,
-    float low_1,
-    float high_1
+    float x,
+    float low,
+    float high
 ) {
-    float _e3 = place_between(x_3, low_1, high_1);
-    float t_2 = metal::clamp(_e3, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float t = metal::clamp(place_between(x, low, high), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_4
+    float x
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// Relative luminance by the Rec. 709 weights, of the numbers as they stand.
 float luminance(
     Color color
 ) {
     return metal::dot(color.xyz, metal::float3(0.2126, 0.7152, 0.0722));
 }
 
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white. Channels beyond 1e18 count as that.
 Color limit_color(
-    Color color_1,
+    Color color,
     float limit,
     float softness
 ) {
     float knee = 1.0 - softness;
-    float brightest = metal::max(metal::max(color_1.x, color_1.y), color_1.z);
+    float brightest = metal::max(metal::max(color.x, color.y), color.z);
     if (brightest <= knee) {
-        return metal::float4(color_1.xyz, 1.0);
+        return metal::float4(color.xyz, 1.0);
     }
     float room = limit - knee;
     float above = brightest - knee;
     float pressed = knee + (metal::min(above, room) * (metal::max(above, room) / (above + room)));
-    return metal::float4(color_1.xyz * metal::min(pressed / brightest, 1.0), 1.0);
+    return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 1.0);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
     metal::float3 leaning = metal::cross(up, toward);
-    float square_2 = metal::dot(leaning, leaning);
+    float square = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
+    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
 metal::float3x3 axes_turned(
-    metal::float3 toward_1,
+    metal::float3 toward,
     float spin
 ) {
-    metal::float3x3 _e6 = axes_around(toward_1, metal::float3(0.0, 1.0, 0.0));
+    metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
     metal::float2 turn = metal::float2(0.0, 1.0);
-    return metal::float3x3((turn.y * _e6[0]) + (turn.x * _e6[1]), (turn.y * _e6[1]) - (turn.x * _e6[0]), _e6[2]);
+    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 metal::float3 place_along(
     metal::float3 place,
     metal::float3 center,
@@ -285,63 +341,70 @@ metal::float3 place_along(
     return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]), metal::dot(away, axes[2]));
 }
 
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
 float share_beside(
     float m,
-    float softness_1,
+    float softness,
     float density,
     bool inverted
 ) {
-    float _e4 = footprint_of(m);
-    float half_1 = 0.5 * metal::min(_e4, 0.25);
-    float _e13 = eased(m, 1.0 - half_1, 1.0 + half_1);
-    return 1.0 - _e13;
+    float half_ = 0.5 * metal::min(footprint_of(m), 0.25);
+    float beside = eased(m, 1.0 - half_, 1.0 + half_);
+    return 1.0 - beside;
 }
 
+/// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
+/// the dark side grows from its edge as less passes, and everything is dark where nothing does.
 Angle angle_filtered(
-    Angle u_3,
+    Angle u,
     float share
 ) {
-    float cosine = u_3.half_cos * share;
-    float square_3 = (u_3.half_sin * u_3.half_sin) + (cosine * cosine);
-    float scale = metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001));
-    bool is_dark = square_3 < 0.000000000000000000000000000001;
-    return Angle {is_dark ? 1.0 : (u_3.half_sin * scale), is_dark ? 0.0 : (cosine * scale)};
+    float cosine = u.half_cos * share;
+    float square = (u.half_sin * u.half_sin) + (cosine * cosine);
+    float scale = metal::rsqrt(metal::max(square, 0.000000000000000000000000000001));
+    bool is_dark = square < 0.000000000000000000000000000001;
+    return Angle {is_dark ? 1.0 : (u.half_sin * scale), is_dark ? 0.0 : (cosine * scale)};
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(
     float distance,
     metal::float2 fading
 ) {
     float left = 1.0;
     if (fading.x > 0.0) {
-        float d_1 = metal::min(distance / fading.x, 1000000000000000.0);
-        left = 1.0 / (1.0 + (d_1 * d_1));
+        float d = metal::min(distance / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + (d * d));
     }
     if (fading.y > 0.0) {
-        float d_2 = metal::min(distance / fading.y, 1.0);
-        float window_1 = metal::max(1.0 - (((d_2 * d_2) * d_2) * d_2), 0.0);
-        float _e30 = left;
-        left = _e30 * (window_1 * window_1);
+        float d_1 = metal::min(distance / fading.y, 1.0);
+        float window = metal::max(1.0 - (((d_1 * d_1) * d_1) * d_1), 0.0);
+        left = left * (window * window);
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
 Light light_at(
     metal::float3 light_position,
     metal::float3x3 own_from_world,
-    metal::float3 color_2,
+    metal::float3 color,
     float intensity,
-    metal::float2 fading_1,
+    metal::float2 fading,
     metal::float3 position
 ) {
     metal::float3 offset = light_position - position;
-    metal::float3 _e11 = normalize_or(offset, metal::float3(0.0, 0.0, 1.0));
-    float _e13 = light_fading(metal::length(offset), fading_1);
-    float faded = intensity * _e13;
-    return Light {_e11, own_from_world * _e11, color_2, faded};
+    metal::float3 direction = normalize_or(offset, metal::float3(0.0, 0.0, 1.0));
+    float faded = intensity * light_fading(metal::length(offset), fading);
+    return Light {direction, own_from_world * direction, color, faded};
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(
     float cos_angle,
     metal::float2 cone
@@ -349,61 +412,64 @@ float light_cone(
     if (cone.x <= cone.y) {
         return (cos_angle >= cone.y) ? 1.0 : 0.0;
     }
-    float t_3 = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
-    return (t_3 * t_3) * (3.0 - (2.0 * t_3));
+    float t = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
 Light light_spot(
-    metal::float3 light_position_1,
+    metal::float3 light_position,
     metal::float3 aim,
-    metal::float3x3 own_from_world_1,
-    metal::float3 color_3,
-    float intensity_1,
-    metal::float2 cone_1,
-    metal::float2 fading_2,
-    metal::float3 position_1
+    metal::float3x3 own_from_world,
+    metal::float3 color,
+    float intensity,
+    metal::float2 cone,
+    metal::float2 fading,
+    metal::float3 position
 ) {
     Light light = {};
-    Light _e8 = light_at(light_position_1, own_from_world_1, color_3, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    metal::float3 _e13 = light.direction;
-    float _e16 = light_cone(metal::dot(-(_e13), aim), cone_1);
-    light.intensity = _e11 * _e16;
-    Light _e18 = light;
-    return _e18;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = light.intensity * light_cone(metal::dot(-(light.direction), aim), cone);
+    return light;
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
-    Light light_1,
-    Color color_4,
+    Light light,
+    Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_4.xyz * light_1.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
+/// Light parts
+///
+/// Takes a light apart, for shading that the other nodes do not know.
 LightParts light_parts(
-    Light light_2
+    Light light
 ) {
-    return LightParts {light_2.direction, metal::float4(light_2.color, 1.0), light_2.intensity};
+    return LightParts {light.direction, metal::float4(light.color, 1.0), light.intensity};
 }
 
 PlaceInLight place_in_light(
     metal::float2 at
 ) {
     metal::float2 near = metal::clamp(at, metal::float2(-1000.0), metal::float2(1000.0));
-    float _e14 = share_beside(metal::max(metal::abs(near.x), metal::abs(near.y)), 0.0, 1.0, true);
-    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near.x), near.y)), _e14};
+    float inside = share_beside(metal::max(metal::abs(near.x), metal::abs(near.y)), 0.0, 1.0, true);
+    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near.x), near.y)), inside};
 }
 
 Angle parametrization_diffuse_balanced(
-    Light light_3,
+    Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light_3.direction), 0.5 * metal::length(normal + light_3.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -412,137 +478,117 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
+    float s,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_4,
-    float w_1,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_4.half_sin * shape_2.half_cos_offset) - (u_4.half_cos * shape_2.half_sin_offset), (u_4.half_cos * shape_2.half_cos_offset) + (u_4.half_sin * shape_2.half_sin_offset));
-    bool is_narrow = (w_1 > 0.0) & (w_1 >= (3.4641016 * shape_2.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_1, shape_2);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_2);
-    if (w_1 < (0.1 * shape_2.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_1;
-    metal::float2 turn_1 = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_2);
-    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_2);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_3
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_3);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_4
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// Window
+///
+/// Four panes of a window: 1 through the glass, 0 at its bars and beyond.
 float window(
     metal::float2 uv,
     float bars,
-    float softness_2
+    float softness
 ) {
     metal::float2 from_edge = metal::float2(0.5) - metal::abs(uv - metal::float2(0.5));
     metal::float2 from_cross = metal::abs(uv - metal::float2(0.5));
-    metal::float2 within = metal::smoothstep(metal::float2(bars), metal::float2(bars + softness_2), from_edge);
-    metal::float2 beside = metal::smoothstep(metal::float2(0.5 * bars), metal::float2((0.5 * bars) + softness_2), from_cross);
+    metal::float2 within = metal::smoothstep(metal::float2(bars), metal::float2(bars + softness), from_edge);
+    metal::float2 beside = metal::smoothstep(metal::float2(0.5 * bars), metal::float2((0.5 * bars) + softness), from_cross);
     return ((within.x * within.y) * beside.x) * beside.y;
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e3 = look.eye_position;
-    metal::float3x3 _e6 = look.eye_own_from_world;
-    metal::float3 _e9 = look.eye_color;
-    float _e12 = look.eye_intensity;
-    metal::float2 _e15 = look.eye_fading;
-    Light _e17 = light_at(_e3, _e6, _e9, _e12, _e15, surface.position);
-    LightParts _e18 = light_parts(_e17);
-    metal::float4 _e25 = bounded_vec4_(_e18.color * metal::float4(metal::float3(_e18.intensity), 1.0));
-    Angle _e27 = parametrization_diffuse_balanced(_e17, surface.normal);
-    float _e30 = profile_balanced(_e27, 0.0, lamps_eye_tone_shape);
-    metal::float4 _e35 = bounded_vec4_(_e25 * metal::float4(metal::float3(_e30), 1.0));
-    metal::float3 _e38 = look.rim_position;
-    metal::float3 _e41 = look.rim_aim;
-    metal::float3x3 _e44 = look.rim_own_from_world;
-    metal::float3 _e47 = look.rim_color;
-    float _e50 = look.rim_intensity;
-    metal::float2 _e53 = look.rim_cone;
-    metal::float2 _e56 = look.rim_fading;
-    Light _e58 = light_spot(_e38, _e41, _e44, _e47, _e50, _e53, _e56, surface.position);
-    LightParts _e59 = light_parts(_e58);
-    metal::float4 _e66 = bounded_vec4_(_e59.color * metal::float4(metal::float3(_e59.intensity), 1.0));
-    Angle _e68 = parametrization_diffuse_balanced(_e58, surface.normal);
-    float _e71 = profile_balanced(_e68, 0.0, lamps_eye_tone_shape);
-    metal::float4 _e76 = bounded_vec4_(_e66 * metal::float4(metal::float3(_e71), 1.0));
-    metal::float3 _e79 = look.fill_position;
-    metal::float3x3 _e82 = look.fill_own_from_world;
-    metal::float3 _e85 = look.fill_color;
-    float _e88 = look.fill_intensity;
-    metal::float2 _e91 = look.fill_fading;
-    Light _e93 = light_at(_e79, _e82, _e85, _e88, _e91, surface.position);
-    LightParts _e94 = light_parts(_e93);
-    metal::float4 _e101 = bounded_vec4_(_e94.color * metal::float4(metal::float3(_e94.intensity), 1.0));
-    Angle _e103 = parametrization_diffuse_balanced(_e93, surface.normal);
-    float _e106 = profile_balanced(_e103, 0.0, lamps_eye_tone_shape);
-    metal::float4 _e111 = bounded_vec4_(_e101 * metal::float4(metal::float3(_e106), 1.0));
-    metal::float3 _e121 = bounded_vec3_(metal::float3(0.0) + _e111.xyz);
-    metal::float4 lamps_fill_sum = (_e94.intensity > 0.0) ? metal::float4(_e121, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
-    metal::float3 _e131 = bounded_vec3_(lamps_fill_sum.xyz + _e76.xyz);
-    metal::float4 lamps_rim_sum = (_e59.intensity > 0.0) ? metal::float4(_e131, 1.0) : lamps_fill_sum;
-    metal::float3 _e141 = bounded_vec3_(lamps_rim_sum.xyz + _e35.xyz);
-    metal::float4 lamps_eye_sum = (_e18.intensity > 0.0) ? metal::float4(_e141, 1.0) : lamps_rim_sum;
+    Light eye = light_at(look.eye_position, look.eye_own_from_world, metal::float3(look.eye_color), look.eye_intensity, look.eye_fading, surface.position);
+    LightParts eye_2 = light_parts(eye);
+    metal::float4 lamps_eye_strength = bounded_vec4(eye_2.color * metal::float4(metal::float3(eye_2.intensity), 1.0));
+    Angle lamps_eye_angle = parametrization_diffuse_balanced(eye, surface.normal);
+    float lamps_eye_tone = profile_balanced(lamps_eye_angle, 0.0, lamps_eye_tone_shape);
+    metal::float4 lamps_eye_lit = bounded_vec4(lamps_eye_strength * metal::float4(metal::float3(lamps_eye_tone), 1.0));
+    Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world, metal::float3(look.rim_color), look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
+    LightParts rim_2 = light_parts(rim);
+    metal::float4 lamps_rim_strength = bounded_vec4(rim_2.color * metal::float4(metal::float3(rim_2.intensity), 1.0));
+    Angle lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
+    float lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_eye_tone_shape);
+    metal::float4 lamps_rim_lit = bounded_vec4(lamps_rim_strength * metal::float4(metal::float3(lamps_rim_tone), 1.0));
+    Light fill = light_at(look.fill_position, look.fill_own_from_world, metal::float3(look.fill_color), look.fill_intensity, look.fill_fading, surface.position);
+    LightParts fill_2 = light_parts(fill);
+    metal::float4 lamps_fill_strength = bounded_vec4(fill_2.color * metal::float4(metal::float3(fill_2.intensity), 1.0));
+    Angle lamps_fill_angle = parametrization_diffuse_balanced(fill, surface.normal);
+    float lamps_fill_tone = profile_balanced(lamps_fill_angle, 0.0, lamps_eye_tone_shape);
+    metal::float4 lamps_fill_lit = bounded_vec4(lamps_fill_strength * metal::float4(metal::float3(lamps_fill_tone), 1.0));
+    metal::float3 bounded_vec3_value = bounded_vec3(metal::float3(0.0) + lamps_fill_lit.xyz);
+    metal::float4 lamps_fill_sum = (fill_2.intensity > 0.0) ? metal::float4(bounded_vec3_value, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
+    metal::float3 bounded_vec3_value_1 = bounded_vec3(lamps_fill_sum.xyz + lamps_rim_lit.xyz);
+    metal::float4 lamps_rim_sum = (rim_2.intensity > 0.0) ? metal::float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum;
+    metal::float3 bounded_vec3_value_2 = bounded_vec3(lamps_rim_sum.xyz + lamps_eye_lit.xyz);
+    metal::float4 lamps_eye_sum = (eye_2.intensity > 0.0) ? metal::float4(bounded_vec3_value_2, 1.0) : lamps_rim_sum;
     metal::float4 lamplit = lamps_eye_sum * metal::float4(0.86, 0.62, 0.44, 1.0);
     metal::float4 night = lamplit + metal::float4(0.1, 0.07, 0.15, 1.0);
     metal::float4 ground = metal::float4(night.xyz, 1.0);
-    Light _e165 = look.sun;
-    Angle _e167 = parametrization_diffuse_balanced(_e165, surface.normal);
-    metal::float3 _e175 = look.sun_direction;
-    metal::float3x3 _e178 = axes_turned(-(_e175), 0.0);
-    metal::float3 _e179 = place_along(surface.position, metal::float3(0.1, -0.05, 0.0), _e178);
-    PlaceInLight _e184 = place_in_light(_e179.xy / metal::float2(0.95));
-    float _e188 = window(_e184.uv, 0.05, 0.02);
-    Light _e191 = look.sun;
-    float _e196 = luminance(metal::float4(1.0));
-    Angle _e200 = angle_filtered(_e167, metal::min(_e188, 1.0) * metal::min(_e196, 1.0));
-    FilteredLight filter_2_ = FilteredLight {_e191, _e200};
-    float _e205 = profile_balanced_2_(filter_2_.angle, 0.0, lamps_eye_tone_shape);
-    LitLayer _e212 = light_apply(filter_2_.light, metal::float4(0.86, 0.62, 0.44, 1.0), _e205);
-    metal::float4 stack = metal::clamp(metal::float4(ground.xyz + (_e212.tone * _e212.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e228 = limit_color(stack, 1.0, 0.3);
-    return _e228;
+    Angle sun_angle = parametrization_diffuse_balanced(look.sun, surface.normal);
+    metal::float3 place_along_value = place_along(surface.position, metal::float3(0.1, -0.05, 0.0), axes_turned(-(look.sun_direction), 0.0));
+    PlaceInLight thrown = place_in_light(place_along_value.xy / metal::float2(0.95));
+    float window_2 = window(thrown.uv, 0.05, 0.02);
+    Angle angle_filtered_value = angle_filtered(sun_angle, metal::min(window_2, 1.0) * metal::min(luminance(metal::float4(1.0)), 1.0));
+    FilteredLight filter_2 = FilteredLight {look.sun, angle_filtered_value};
+    float sun_tone = profile_balanced_2(filter_2.angle, 0.0, lamps_eye_tone_shape);
+    LitLayer sun_lit = light_apply(filter_2.light, metal::float4(0.86, 0.62, 0.44, 1.0), sun_tone);
+    metal::float4 stack = metal::clamp(metal::float4(ground.xyz + (sun_lit.tone * sun_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return limit_color(stack, 1.0, 0.3);
 }
 
 struct vs_mainInput {
@@ -560,11 +606,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -583,9 +626,8 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    Surface surface_1 = Surface {normal_1, in.position};
-    metal::float4 _e8 = shade(surface_1, look);
-    return fs_mainOutput { _e8 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, in.position};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -2,33 +2,40 @@
 // Draws a mesh with the look; the result is straight RGBA.
 // Registers of space 0: view b0, object b1, look b2.
 // room-walls.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     float3 rim_position;
     int _pad1_0;
@@ -54,6 +61,7 @@ struct Look {
     Light sun;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -61,13 +69,19 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
@@ -75,16 +89,21 @@ struct LitLayer {
 };
 
 struct FilteredLight {
+    /// The light behind the filter.
     Light light;
+    /// The angle for the profile.
     Angle angle;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct LightParts {
+    /// Unit, toward the light, world space.
     float3 direction;
     int _pad1_0;
+    /// The light's color, opaque.
     float4 color;
+    /// With the light's distance and cone attenuation; 0 or more.
     float intensity;
     int _end_pad_0;
     int _end_pad_1;
@@ -92,19 +111,30 @@ struct LightParts {
 };
 
 struct PlaceInLight {
+    /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
+    /// it.
     float2 uv;
+    /// 1 within the picture, 0 outside of it.
     float inside;
     int _end_pad_0;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -119,22 +149,9 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const ProfileShape lamps_rim_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2, 0.82074726, 0.32190663, 0u);
-static const ProfileShape sun_tone_shape = ConstructProfileShape(0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924, 0.05909888, 0u);
+static const ProfileShape lamps_rim_tone_shape = {0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2, 0.82074726, 0.32190663, 0u};
+static const ProfileShape sun_tone_shape = {0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924, 0.05909888, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -153,11 +170,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -166,32 +188,37 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -201,66 +228,76 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float3 bounded_vec3_(float3 v_3)
+/// [`bounded`], component by component.
+float3 bounded_vec3(float3 v)
 {
-    uint3 bits_1 = asuint(v_3);
-    uint3 magnitude_1 = (bits_1 & (2147483647u).xxx);
-    float3 largest_2 = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
+    uint3 bits = asuint(v);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
+    return ((magnitude < (2139095040u).xxx) ? v : numbers);
 }
 
-float4 bounded_vec4_(float4 v_4)
+/// [`bounded`], component by component.
+float4 bounded_vec4(float4 v)
 {
-    uint4 bits_2 = asuint(v_4);
-    uint4 magnitude_2 = (bits_2 & (2147483647u).xxxx);
-    float4 largest_3 = asfloat(((bits_2 & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers_1 = ((magnitude_2 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
-    return ((magnitude_2 < (2139095040u).xxxx) ? v_4 : numbers_1);
+    uint4 bits = asuint(v);
+    uint4 magnitude = (bits & (2147483647u).xxxx);
+    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
+    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
 }
 
-float place_between(float x_2, float low, float high)
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high)
 {
     float span = (high - low);
     if ((span < SMALLEST_NORMAL)) {
-        return ((x_2 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    const float _e12 = bounded(((x_2 - low) / span));
-    return _e12;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_3, float low_1, float high_1)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high)
 {
-    const float _e3 = place_between(x_3, low_1, high_1);
-    float t_1 = clamp(_e3, 0.0, 1.0);
-    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
+    float t = clamp(place_between(x, low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_4)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
+/// Limit color
+///
+/// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
+/// yellow and then white. Channels beyond 1e18 count as that.
 float4 limit_color(float4 color, float limit, float softness)
 {
     float knee = (1.0 - softness);
@@ -274,53 +311,59 @@ float4 limit_color(float4 color, float limit, float softness)
     return float4((color.xyz * min((pressed / brightest), 1.0)), 1.0);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
-    float square_2 = dot(leaning, leaning);
+    float square = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e28, cross(toward, _e28), toward);
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
+    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(toward, x), toward);
 }
 
-float3x3 axes_turned(float3 toward_1, float spin)
+/// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
+float3x3 axes_turned(float3 toward, float spin)
 {
-    const float3x3 _e6 = axes_around(toward_1, float3(0.0, 1.0, 0.0));
+    const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
     float2 turn = float2(0.0, 1.0);
-    return float3x3(((turn.y * _e6[0]) + (turn.x * _e6[1])), ((turn.y * _e6[1]) - (turn.x * _e6[0])), _e6[2]);
+    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
 }
 
+/// A place as seen from a center along axes, within a million of it.
 float3 place_along(float3 place, float3 center_, float3x3 axes)
 {
     float3 away = clamp((place - center_), (-1000000.0).xxx, (1000000.0).xxx);
     return float3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
-float share_beside(float m, float softness_1, float density, bool inverted)
+/// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
+/// its edge is `softness` wide outward, and never narrower than a pixel. Call it in uniform control
+/// flow.
+float share_beside(float m, float softness, float density, bool inverted)
 {
-    const float _e4 = footprint_of(m);
-    float half_1 = (0.5 * min(_e4, 0.25));
-    const float _e13 = eased(m, (1.0 - half_1), (1.0 + half_1));
-    return (1.0 - _e13);
+    float half_ = (0.5 * min(footprint_of(m), 0.25));
+    const float beside = eased(m, (1.0 - half_), (1.0 + half_));
+    return (1.0 - beside);
 }
 
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, float2 fading)
 {
     float left = 1.0;
 
     if ((fading.x > 0.0)) {
-        float d_1 = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d_1 * d_1)));
+        float d = min((distance_ / fading.x), 1000000000000000.0);
+        left = (1.0 / (1.0 + (d * d)));
     }
     if ((fading.y > 0.0)) {
-        float d_2 = min((distance_ / fading.y), 1.0);
-        float window_1 = max((1.0 - (((d_2 * d_2) * d_2) * d_2)), 0.0);
-        float _e30 = left;
-        left = (_e30 * (window_1 * window_1));
+        float d_1 = min((distance_ / fading.y), 1.0);
+        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
+        left = (left * (window * window));
     }
-    float _e33 = left;
-    return _e33;
+    return left;
 }
 
 Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
@@ -332,38 +375,36 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
     return ret;
 }
 
-Light light_at(float3 light_position, float3x3 own_from_world, float3 color_1, float intensity, float2 fading_1, float3 position)
+/// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
+/// and range.
+Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity, float2 fading, float3 position)
 {
     float3 offset = (light_position - position);
-    const float3 _e11 = normalize_or(offset, float3(0.0, 0.0, 1.0));
-    const float _e13 = light_fading(length(offset), fading_1);
-    float faded = (intensity * _e13);
-    const Light light_3 = ConstructLight(_e11, mul(_e11, own_from_world), color_1, faded);
+    const float3 direction = normalize_or(offset, float3(0.0, 0.0, 1.0));
+    float faded = (intensity * light_fading(length(offset), fading));
+    const Light light_3 = ConstructLight(direction, mul(direction, own_from_world), color, faded);
     return light_3;
 }
 
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, float2 cone)
 {
     if ((cone.x <= cone.y)) {
         return ((cos_angle >= cone.y) ? 1.0 : 0.0);
     }
-    float t_2 = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-Light light_spot(float3 light_position_1, float3 aim, float3x3 own_from_world_1, float3 color_2, float intensity_1, float2 cone_1, float2 fading_2, float3 position_1)
+Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color, float intensity, float2 cone, float2 fading, float3 position)
 {
     Light light = (Light)0;
 
-    const Light _e8 = light_at(light_position_1, own_from_world_1, color_2, intensity_1, fading_2, position_1);
-    light = _e8;
-    float _e11 = light.intensity;
-    float3 _e13 = light.direction;
-    const float _e16 = light_cone(dot(-(_e13), aim), cone_1);
-    light.intensity = (_e11 * _e16);
-    Light _e18 = light;
-    const Light light_4 = _e18;
-    return light_4;
+    light = light_at(light_position, own_from_world, color, intensity, fading, position);
+    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
+    const Light light_1 = light;
+    return light_1;
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -373,10 +414,14 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light_1, float4 color_3, float tone)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
-    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light_1.color) * split.y), 1.0), (tone * split.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
@@ -390,86 +435,91 @@ PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
 PlaceInLight place_in_light(float2 at)
 {
     float2 near = clamp(at, (-1000.0).xx, (1000.0).xx);
-    const float _e14 = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
-    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near.x), near.y))), _e14);
+    const float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
+    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near.x), near.y))), inside);
     return placeinlight;
 }
 
-Angle parametrization_diffuse_balanced(Light light_2, float3 normal)
+Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_3 = ConstructAngle((0.5 * length((normal - light_2.direction))), (0.5 * length((normal + light_2.direction))));
+    const Angle angle_3 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
     return angle_3;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_2)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place_1.x, shape_2);
-    if ((w_1 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_1);
-    float2 turn_1 = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_2);
-    const float _e53 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_2, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place_2 = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_2 > 0.0) & (w_2 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place_2.x, w_2, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place_2.x, shape_3);
-    if ((w_2 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_2);
-    float2 turn_2 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e56 = profile_soft_quick(((place_2.x * turn_2.y) - (place_2.y * turn_2.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place_2.x * turn_2.y) + (place_2.y * turn_2.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-float window(float2 uv, float bars, float softness_2)
+/// Window
+///
+/// Four panes of a window: 1 through the glass, 0 at its bars and beyond.
+float window(float2 uv, float bars, float softness)
 {
     float2 from_edge = ((0.5).xx - abs((uv - (0.5).xx)));
     float2 from_cross = abs((uv - (0.5).xx));
-    float2 within = smoothstep((bars).xx, ((bars + softness_2)).xx, from_edge);
-    float2 beside = smoothstep(((0.5 * bars)).xx, (((0.5 * bars) + softness_2)).xx, from_cross);
+    float2 within = smoothstep((bars).xx, ((bars + softness)).xx, from_edge);
+    float2 beside = smoothstep(((0.5 * bars)).xx, (((0.5 * bars) + softness)).xx, from_cross);
     return (((within.x * within.y) * beside.x) * beside.y);
 }
 
@@ -488,56 +538,37 @@ FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
     return ret;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e3 = look.rim_position;
-    float3 _e6 = look.rim_aim;
-    float3x3 _e9 = look.rim_own_from_world;
-    float3 _e12 = look.rim_color;
-    float _e15 = look.rim_intensity;
-    float2 _e18 = look.rim_cone;
-    float2 _e21 = look.rim_fading;
-    const Light _e23 = light_spot(_e3, _e6, _e9, _e12, _e15, _e18, _e21, surface.position);
-    LightParts rim_2_ = ConstructLightParts(_e23.direction, float4(_e23.color, 1.0), _e23.intensity);
-    const float4 _e36 = bounded_vec4_((rim_2_.color * float4((rim_2_.intensity).xxx, 1.0)));
-    const Angle _e38 = parametrization_diffuse_balanced(_e23, surface.normal);
-    const float _e41 = profile_balanced(_e38, 0.0, lamps_rim_tone_shape);
-    const float4 _e46 = bounded_vec4_((_e36 * float4((_e41).xxx, 1.0)));
-    float3 _e49 = look.fill_position;
-    float3x3 _e52 = look.fill_own_from_world;
-    float3 _e55 = look.fill_color;
-    float _e58 = look.fill_intensity;
-    float2 _e61 = look.fill_fading;
-    const Light _e63 = light_at(_e49, _e52, _e55, _e58, _e61, surface.position);
-    LightParts fill_2_ = ConstructLightParts(_e63.direction, float4(_e63.color, 1.0), _e63.intensity);
-    const float4 _e76 = bounded_vec4_((fill_2_.color * float4((fill_2_.intensity).xxx, 1.0)));
-    const Angle _e78 = parametrization_diffuse_balanced(_e63, surface.normal);
-    const float _e81 = profile_balanced(_e78, 0.0, lamps_rim_tone_shape);
-    const float4 _e86 = bounded_vec4_((_e76 * float4((_e81).xxx, 1.0)));
-    const float3 _e96 = bounded_vec3_(((0.0).xxx + _e86.xyz));
-    float4 lamps_fill_sum = ((fill_2_.intensity > 0.0) ? float4(_e96, 1.0) : float4(0.0, 0.0, 0.0, 1.0));
-    const float3 _e106 = bounded_vec3_((lamps_fill_sum.xyz + _e46.xyz));
-    float4 lamps_rim_sum = ((rim_2_.intensity > 0.0) ? float4(_e106, 1.0) : lamps_fill_sum);
+    const Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world, look.rim_color, look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
+    LightParts rim_2 = ConstructLightParts(rim.direction, float4(rim.color, 1.0), rim.intensity);
+    const float4 lamps_rim_strength = bounded_vec4((rim_2.color * float4((rim_2.intensity).xxx, 1.0)));
+    const Angle lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
+    const float lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_rim_tone_shape);
+    const float4 lamps_rim_lit = bounded_vec4((lamps_rim_strength * float4((lamps_rim_tone).xxx, 1.0)));
+    const Light fill = light_at(look.fill_position, look.fill_own_from_world, look.fill_color, look.fill_intensity, look.fill_fading, surface.position);
+    LightParts fill_2 = ConstructLightParts(fill.direction, float4(fill.color, 1.0), fill.intensity);
+    const float4 lamps_fill_strength = bounded_vec4((fill_2.color * float4((fill_2.intensity).xxx, 1.0)));
+    const Angle lamps_fill_angle = parametrization_diffuse_balanced(fill, surface.normal);
+    const float lamps_fill_tone = profile_balanced(lamps_fill_angle, 0.0, lamps_rim_tone_shape);
+    const float4 lamps_fill_lit = bounded_vec4((lamps_fill_strength * float4((lamps_fill_tone).xxx, 1.0)));
+    const float3 bounded_vec3_value = bounded_vec3(((0.0).xxx + lamps_fill_lit.xyz));
+    float4 lamps_fill_sum = ((fill_2.intensity > 0.0) ? float4(bounded_vec3_value, 1.0) : float4(0.0, 0.0, 0.0, 1.0));
+    const float3 bounded_vec3_value_1 = bounded_vec3((lamps_fill_sum.xyz + lamps_rim_lit.xyz));
+    float4 lamps_rim_sum = ((rim_2.intensity > 0.0) ? float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum);
     float4 lamplit = (lamps_rim_sum * float4(0.62, 0.55, 0.6, 1.0));
     float4 night = (lamplit + float4(0.07, 0.055, 0.11, 1.0));
     float4 ground = float4(night.xyz, 1.0);
-    Light _e130 = look.sun;
-    const Angle _e132 = parametrization_diffuse_balanced(_e130, surface.normal);
-    float3 _e140 = look.sun_direction;
-    const float3x3 _e143 = axes_turned(-(_e140), 0.0);
-    const float3 _e144 = place_along(surface.position, float3(0.1, -0.05, 0.0), _e143);
-    const PlaceInLight _e149 = place_in_light((_e144.xy / (0.95).xx));
-    const float _e153 = window(_e149.uv, 0.05, 0.02);
-    float3 _e157 = look.sun.direction;
-    float3 _e161 = look.sun.own_direction;
-    float3 _e165 = look.sun.color;
-    float _e169 = look.sun.intensity;
-    FilteredLight filter_2_ = ConstructFilteredLight(ConstructLight(_e157, _e161, _e165, (_e169 * min(_e153, 1.0))), _e132);
-    const float _e178 = profile_balanced_2_(filter_2_.angle, 0.0, sun_tone_shape);
-    const LitLayer _e185 = light_apply(filter_2_.light, float4(0.62, 0.55, 0.6, 1.0), _e178);
-    float4 stack = clamp(float4((ground.xyz + (_e185.tone * _e185.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e201 = limit_color(stack, 1.0, 0.3);
-    return _e201;
+    const Angle sun_angle = parametrization_diffuse_balanced(look.sun, surface.normal);
+    const float3 place_along_value = place_along(surface.position, float3(0.1, -0.05, 0.0), axes_turned(-(look.sun_direction), 0.0));
+    const PlaceInLight thrown = place_in_light((place_along_value.xy / (0.95).xx));
+    const float window_2 = window(thrown.uv, 0.05, 0.02);
+    FilteredLight filter_2 = ConstructFilteredLight(ConstructLight(look.sun.direction, look.sun.own_direction, look.sun.color, (look.sun.intensity * min(window_2, 1.0))), sun_angle);
+    const float sun_tone = profile_balanced_2(filter_2.angle, 0.0, sun_tone_shape);
+    const LitLayer sun_lit = light_apply(filter_2.light, float4(0.62, 0.55, 0.6, 1.0), sun_tone);
+    float4 stack = clamp(float4((ground.xyz + (sun_lit.tone * sun_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return limit_color(stack, 1.0, 0.3);
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -550,11 +581,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -570,9 +598,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    Surface surface_1 = ConstructSurface(normal_3, in_.position);
-    const float4 _e8 = shade(surface_1);
-    return _e8;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, in_.position);
+    return shade(surface);
 }

@@ -7,38 +7,59 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light side;
     vec2 viewport;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
     vec2 pixel;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -59,298 +80,309 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 vec2 sin_cos_quarter(float x) {
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     float h = (0.5 * x);
-    float h2_ = (h * h);
-    float s_1 = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
+    float h2 = (h * h);
+    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
+    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s_1) * c), (1.0 - ((2.0 * s_1) * s_1)));
+    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_7 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_7, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_1) {
-    uint bits = floatBitsToUint(x_1);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float place_between(float x_2, float low, float high) {
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
+float place_between(float x, float low, float high) {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_2 >= high) ? 1.0 : 0.0);
+        return ((x >= high) ? 1.0 : 0.0);
     }
-    float _e13 = bounded(((x_2 - low) / span));
-    return _e13;
+    return bounded(((x - low) / span));
 }
 
-float eased(float x_3, float low_1, float high_1) {
-    float _e3 = place_between(x_3, low_1, high_1);
-    float t_1 = clamp(_e3, 0.0, 1.0);
-    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(place_between(x, low, high), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
-    vec2 d_2 = vec2(_e1, _e2);
-    return sqrt(dot(d_2, d_2));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-vec2 footprint_of_vec2_(vec2 v_2) {
-    vec2 dx_1 = dFdx(v_2);
-    vec2 dy_1 = dFdy(v_2);
-    return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+vec2 footprint_of_vec2(vec2 v) {
+    vec2 dx = dFdx(v);
+    vec2 dy = dFdy(v);
+    return sqrt(((dx * dx) + (dy * dy)));
 }
 
-float step_filtered(float x_5, float edge, float w) {
-    float d_3 = (x_5 - edge);
-    return ((w < 1e-30) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_3 / w)), 0.0, 1.0));
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w) {
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
 vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
     return vec4(mix(a.xyz, (a.xyz * b.xyz), factor), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_filtered_quick(Angle u_2, float w_1, ProfileShape shape_1) {
-    vec2 place_4 = vec2(((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset)), ((u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset)));
-    float _e19 = profile_soft_quick(place_4.x, shape_1);
-    if ((w_1 < (0.1 * shape_1.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_2 = (0.19364917 * w_1);
-    vec2 turn = vec2((r_2 * (1.0 - ((0.16666667 * r_2) * r_2))), (1.0 - ((0.5 * r_2) * r_2)));
-    float _e45 = profile_soft_quick(((place_4.x * turn.y) - (place_4.y * turn.x)), shape_1);
-    float _e53 = profile_soft_quick(((place_4.x * turn.y) + (place_4.y * turn.x)), shape_1);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_2) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-vec2 turned_by(vec2 p, float angle_1) {
-    vec2 turn_1 = vec2(sin(angle_1), cos(angle_1));
-    return vec2(((turn_1.y * p.x) - (turn_1.x * p.y)), ((turn_1.x * p.x) + (turn_1.y * p.y)));
+/// p turned by an angle in radians, from x to y.
+vec2 turned_by(vec2 p, float angle) {
+    vec2 turn = vec2(sin(angle), cos(angle));
+    return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
 }
 
-vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_2) {
+/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
+/// and is turned by an angle in radians.
+vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle) {
     vec2 most = vec2(4194304.0);
     vec2 upright = (place * (lines / max(viewport.y, 1.0)));
-    vec2 _e14 = turned_by(clamp(upright, vec2(-4194304.0), most), angle_2);
-    return clamp(_e14, vec2(-4194304.0), most);
+    return clamp(turned_by(clamp(upright, vec2(-4194304.0), most), angle), vec2(-4194304.0), most);
 }
 
-float lines_integral(float x_6, float share) {
-    float whole = roundEven(x_6);
-    return ((whole * share) + clamp((x_6 - whole), (-0.5 * share), (0.5 * share)));
+/// The integral of lines from 0 to x.
+float lines_integral(float x, float share) {
+    float whole = roundEven(x);
+    return ((whole * share) + clamp((x - whole), (-0.5 * share), (0.5 * share)));
 }
 
-float lines_filtered(float x_7, float share_1, float w_2) {
-    float t_2 = (x_7 - roundEven(x_7));
-    if ((w_2 < 1e-30)) {
-        return (((abs(t_2) <= (0.5 * share_1)) && (share_1 > 0.0)) ? 1.0 : 0.0);
+/// Lines that cover `share` of all, from 0 to 1: 1 within half a `share` of every whole number, 0
+/// elsewhere, averaged over a footprint of `w`. Without a footprint the edges are inclusive.
+float lines_filtered(float x, float share, float w) {
+    float t = (x - roundEven(x));
+    if ((w < 1e-30)) {
+        return (((abs(t) <= (0.5 * share)) && (share > 0.0)) ? 1.0 : 0.0);
     }
-    float half_1 = (0.5 * min(w_2, 1000.0));
-    float _e22 = lines_integral((t_2 + half_1), share_1);
-    float _e24 = lines_integral((t_2 - half_1), share_1);
-    return clamp(((_e22 - _e24) / (2.0 * half_1)), 0.0, 1.0);
+    // Beyond a thousand lines to the pixel the average does not change any more.
+    float half_ = (0.5 * min(w, 1000.0));
+    return clamp(((lines_integral((t + half_), share) - lines_integral((t - half_), share)) / (2.0 * half_)), 0.0, 1.0);
 }
 
-float dot_radius(float share_2) {
-    float a_1 = 0.0;
+/// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
+/// they overlap, and at 1 they reach the middle between four.
+float dot_radius(float share) {
+    float a = 0.0;
     int i = 0;
-    if ((share_2 <= 0.7853982)) {
-        return sqrt((share_2 * 0.31830987));
+    if ((share <= 0.7853982)) {
+        return sqrt((share * 0.31830987));
     }
-    float s_3 = ((share_2 - 0.7853982) / 0.21460183);
-    a_1 = mix((0.5227232 * sqrt(s_3)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_3)))), s_3);
+    float s = ((share - 0.7853982) / 0.21460183);
+    a = mix((0.5227232 * sqrt(s)), (0.7853982 - (0.3275682 * sqrt((1.0 - s)))), s);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e61 = i;
-            i = (_e61 + 1);
+            i = (i + 1);
         }
         loop_init = false;
-        int _e24 = i;
-        if (!((_e24 < 2))) {
+        if (!((i < 2))) {
             break;
         }
-        float _e28 = a_1;
-        vec2 _e32 = sin_cos_quarter(clamp(_e28, 0.0, 0.7853982));
-        float tangent = (_e32.x / _e32.y);
-        float square_1 = (1.0 / (_e32.y * _e32.y));
-        float _e41 = a_1;
-        float sector = (0.7853982 - _e41);
-        float slope = (((2.0 * sector) * square_1) * tangent);
-        float _e48 = a_1;
-        a_1 = clamp((_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope) : 0.0)), 0.0, 0.7853982);
+        vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
+        float tangent = (turn.x / turn.y);
+        float square = (1.0 / (turn.y * turn.y));
+        float sector = (0.7853982 - a);
+        float slope = (((2.0 * sector) * square) * tangent);
+        a = clamp((a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
     }
-    float _e64 = a_1;
-    vec2 _e65 = sin_cos_quarter(_e64);
-    return (0.5 / _e65.y);
+    return (0.5 / sin_cos_quarter(a).y);
 }
 
-float disk_filtered(float d, float r, float w_3) {
-    if ((w_3 < 1e-30)) {
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
+float disk_filtered(float d, float r, float w) {
+    if ((w < 1e-30)) {
         return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
     }
-    float square_2 = (r * r);
-    float least = ((w_3 * w_3) / 3.0);
-    float inner = sqrt((max(square_2, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w_3)), 0.0, 1.0) * min((square_2 / least), 1.0));
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
+    float square = (r * r);
+    float least = ((w * w) / 3.0);
+    float inner = sqrt((max(square, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
 }
 
-float disk_filtered_2_(float d_1, float r_1, float w_4) {
-    if ((w_4 < 1e-30)) {
-        return (((d_1 <= r_1) && true) ? 1.0 : 0.0);
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
+float disk_filtered_2(float d, float r, float w) {
+    if ((w < 1e-30)) {
+        return (((d <= r) && true) ? 1.0 : 0.0);
     }
-    float square_3 = (r_1 * r_1);
-    float least_1 = ((w_4 * w_4) / 3.0);
-    float inner_1 = sqrt((max(square_3, least_1) - (0.25 * least_1)));
-    return (clamp((0.5 + ((inner_1 - d_1) / w_4)), 0.0, 1.0) * min((square_3 / least_1), 1.0));
+    float square = (r * r);
+    float least = ((w * w) / 3.0);
+    float inner = sqrt((max(square, least) - (0.25 * least)));
+    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
 }
 
-float ink_of_dots(vec2 cell, float share_3, float w_5) {
+/// Ink of round dots that cover `share` of the plane.
+float ink_of_dots(vec2 cell, float share, float w) {
     float ink = 0.0;
-    float width = min(w_5, 1.0);
-    float _e8 = dot_radius(share_3);
-    float _e9 = disk_filtered(length((cell - roundEven(cell))), _e8, width);
-    ink = _e9;
-    float hole = sqrt(((1.0 - share_3) * 0.31830987));
-    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share_3));
+    float width = min(w, 1.0);
+    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
+    float hole = sqrt(((1.0 - share) * 0.31830987));
+    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
     if ((is_star > 0.0)) {
-        float _e27 = ink;
-        float _e34 = disk_filtered_2_(length(((cell - floor(cell)) - vec2(0.5))), hole, width);
-        ink = mix(_e27, (1.0 - _e34), is_star);
+        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
     }
-    float _e38 = ink;
-    float mean = mix(_e38, share_3, smoothstep(0.4, 1.0, w_5));
-    return (((share_3 <= 0.0) || false) ? share_3 : mean);
+    float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
+    return (((share <= 0.0) || false) ? share : mean);
 }
 
-float ink_of_dots_2_(vec2 cell_1, float share_4, float w_6) {
-    float ink_1 = 0.0;
-    float width_1 = min(w_6, 1.0);
-    float _e8 = dot_radius(share_4);
-    float _e9 = disk_filtered(length((cell_1 - roundEven(cell_1))), _e8, width_1);
-    ink_1 = _e9;
-    float hole_1 = sqrt(((1.0 - share_4) * 0.31830987));
-    float _e20 = eased(width_1, (0.3 * hole_1), (0.9 * hole_1));
-    float is_star_1 = (_e20 * smoothstep(0.5, 0.7, share_4));
-    if ((is_star_1 > 0.0)) {
-        float _e27 = ink_1;
-        float _e34 = disk_filtered_2_(length(((cell_1 - floor(cell_1)) - vec2(0.5))), hole_1, width_1);
-        ink_1 = mix(_e27, (1.0 - _e34), is_star_1);
+/// Ink of round dots that cover `share` of the plane.
+float ink_of_dots_2(vec2 cell, float share, float w) {
+    float ink = 0.0;
+    float width = min(w, 1.0);
+    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
+    float hole = sqrt(((1.0 - share) * 0.31830987));
+    float is_star = (eased(width, (0.3 * hole), (0.9 * hole)) * smoothstep(0.5, 0.7, share));
+    if ((is_star > 0.0)) {
+        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
     }
-    float _e38 = ink_1;
-    float mean_1 = mix(_e38, share_4, smoothstep(0.4, 1.0, w_6));
-    return (((share_4 <= 0.0) || false) ? share_4 : mean_1);
+    float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
+    return (((share <= 0.0) || false) ? share : mean);
 }
 
-float halftone_dots(float value, vec2 place_1, float lines_1, float angle_3, vec2 viewport_1) {
-    vec2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
-    vec2 _e6 = footprint_of_vec2_(_e5);
-    float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
-    return (1.0 - _e14);
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
+float halftone_dots(float value, vec2 place, float lines, float angle, vec2 viewport) {
+    vec2 cell = screen_cells(place, viewport, lines, angle);
+    vec2 w = footprint_of_vec2(cell);
+    return (1.0 - ink_of_dots(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
 }
 
-float halftone_dots_2_(float value_1, vec2 place_2, float lines_2, float angle_4, vec2 viewport_2) {
-    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
-    vec2 _e6 = footprint_of_vec2_(_e5);
-    float _e14 = ink_of_dots_2_(_e5, (1.0 - min(value_1, 1.0)), max(_e6.x, _e6.y));
-    return (1.0 - _e14);
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
+float halftone_dots_2(float value, vec2 place, float lines, float angle, vec2 viewport) {
+    vec2 cell = screen_cells(place, viewport, lines, angle);
+    vec2 w = footprint_of_vec2(cell);
+    return (1.0 - ink_of_dots_2(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
 }
 
-float halftone_lines(float value_2, vec2 place_3, float lines_3, float angle_5, vec2 viewport_3) {
-    vec2 _e5 = screen_cells(place_3, viewport_3, lines_3, angle_5);
-    float _e10 = footprint_of(_e5.y);
-    float _e11 = lines_filtered(_e5.y, (1.0 - value_2), _e10);
-    return (1.0 - _e11);
+float halftone_lines(float value, vec2 place, float lines, float angle, vec2 viewport) {
+    vec2 cell = screen_cells(place, viewport, lines, angle);
+    return (1.0 - lines_filtered(cell.y, (1.0 - value), footprint_of(cell.y)));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    vec3 _e5 = u_look.side.direction;
-    vec3 _e14 = u_look.side.direction;
-    Angle side = Angle((0.5 * length((surface.normal - _e5))), (0.5 * length((surface.normal + _e14))));
-    float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
-    float pale = mix(1.0, 0.25, (_e22 - 0.0));
-    vec2 _e33 = u_look.viewport;
-    float _e34 = halftone_lines(pale, surface.pixel, 56.0, 0.0, _e33);
-    vec4 p1_ink = mix(vec4(0.9647, 0.8118, 0.2902, 1.0), vec4(1.0), _e34);
-    vec4 _e49 = mix_colors_multiply(vec4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
-    vec3 _e54 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface.normal, _e54) + 0.3) / 1.3), 0.0);
-    float tone = min(((shade_2_ - 0.0) / 0.8), 1.0);
+    Angle side = Angle((0.5 * length((surface.normal - u_look.side.direction))), (0.5 * length((surface.normal + u_look.side.direction))));
+    float yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
+    float pale = mix(1.0, 0.25, (yellow_s_share - 0.0));
+    float yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, u_look.viewport);
+    vec4 p1_ink = mix(vec4(0.9647, 0.8118, 0.2902, 1.0), vec4(1.0), yellow_screen);
+    vec4 on_paper = mix_colors_multiply(vec4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
+    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3), 0.0);
+    float tone = min(((shade_2 - 0.0) / 0.8), 1.0);
     float coral_s_share = mix(0.12, 1.0, clamp(((tone - 0.25) / 0.7), 0.0, 1.0));
-    vec2 _e83 = u_look.viewport;
-    float _e84 = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, _e83);
-    vec4 p2_ink = mix(vec4(0.9333, 0.3529, 0.2902, 1.0), vec4(1.0), _e84);
-    vec4 printed_over = vec4(mix(_e49.xyz, (_e49.xyz * p2_ink.xyz), 1.0), 1.0);
+    float coral_screen = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, u_look.viewport);
+    vec4 p2_ink = mix(vec4(0.9333, 0.3529, 0.2902, 1.0), vec4(1.0), coral_screen);
+    vec4 printed_over = vec4(mix(on_paper.xyz, (on_paper.xyz * p2_ink.xyz), 1.0), 1.0);
     float teal_s_share = mix(0.05, 1.0, min(((tone - 0.0) / 0.5), 1.0));
-    vec2 _e115 = u_look.viewport;
-    float _e116 = halftone_dots_2_(teal_s_share, surface.pixel, 56.0, 1.309, _e115);
-    vec4 p3_ink = mix(vec4(0.1216, 0.5608, 0.5922, 1.0), vec4(1.0), _e116);
-    vec4 printed_over_2_ = vec4(mix(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
+    float teal_screen = halftone_dots_2(teal_s_share, surface.pixel, 56.0, 1.309, u_look.viewport);
+    vec4 p3_ink = mix(vec4(0.1216, 0.5608, 0.5922, 1.0), vec4(1.0), teal_screen);
+    vec4 printed_over_2 = vec4(mix(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
     float curvature = surface.kappa;
     float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
-    float _e153 = footprint_of(hollow);
-    float _e157 = step_filtered(hollow, 0.22, length(vec2(_e153, 0.0)));
+    float hollows = step_filtered(hollow, 0.22, length(vec2(footprint_of(hollow), 0.0)));
     float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    float _e165 = footprint_of(facing);
-    float _e169 = step_filtered(facing, 0.28, length(vec2(_e165, 0.0)));
-    float black_screen = (_e157 * _e169);
+    float outline = step_filtered(facing, 0.28, length(vec2(footprint_of(facing), 0.0)));
+    float black_screen = (hollows * outline);
     vec4 p4_ink = mix(vec4(0.0902, 0.0745, 0.1216, 1.0), vec4(1.0), black_screen);
-    vec4 printed_over_3_ = vec4(mix(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
-    return printed_over_3_;
+    vec4 printed_over_3 = vec4(mix(printed_over_2.xyz, (printed_over_2.xyz * p4_ink.xyz), 1.0), 1.0);
+    return printed_over_3;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    vec4 _e29 = u_view.screen;
-    vec4 _e34 = u_view.screen;
-    Surface surface_1 = Surface(normal, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x, ((in_.clip.xy * _e29.xy) + _e34.zw));
-    vec4 _e38 = shade(surface_1);
-    out_color = _e38;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw));
+    out_color = shade(surface);
     return;
 }
 

@@ -13,28 +13,37 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light side;
     metal::float2 viewport;
     char _pad2[8];
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
@@ -43,18 +52,30 @@ struct Surface {
     char _pad4[8];
 };
 typedef metal::float4 Color;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Vertex {
@@ -69,17 +90,24 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant ProfileShape yellow_s_share_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u};
 
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 metal::float2 sin_cos_quarter(
     float x
 ) {
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     float h = 0.5 * x;
-    float h2_ = h * h;
-    float s_1 = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
+    float h2 = h * h;
+    float s = h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (0.0000027557319 + (h2 * -0.000000025052108))))))))));
+    float one_minus_c = h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-0.000024801588 + (h2 * (0.0000002755732 + (h2 * -0.0000000020876756))))))))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s_1) * c, 1.0 - ((2.0 * s_1) * s_1));
+    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -88,89 +116,98 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_7 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_7, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 float place_between(
-    float x_2,
+    float x,
     float low,
     float high
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_2 >= high) ? 1.0 : 0.0;
+        return (x >= high) ? 1.0 : 0.0;
     }
-    float _e13 = bounded((x_2 - low) / span);
-    return _e13;
+    return bounded((x - low) / span);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_3,
-    float low_1,
-    float high_1
+    float x,
+    float low,
+    float high
 ) {
-    float _e3 = place_between(x_3, low_1, high_1);
-    float t_1 = metal::clamp(_e3, 0.0, 1.0);
-    return (t_1 * t_1) * (3.0 - (2.0 * t_1));
+    float t = metal::clamp(place_between(x, low, high), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_4
+    float x
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
-    metal::float2 d_2 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_2, d_2));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
-metal::float2 footprint_of_vec2_(
-    metal::float2 v_2
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
+metal::float2 footprint_of_vec2(
+    metal::float2 v
 ) {
-    metal::float2 dx_1 = metal::dfdx(v_2);
-    metal::float2 dy_1 = metal::dfdy(v_2);
-    return metal::sqrt((dx_1 * dx_1) + (dy_1 * dy_1));
+    metal::float2 dx = metal::dfdx(v);
+    metal::float2 dy = metal::dfdy(v);
+    return metal::sqrt((dx * dx) + (dy * dy));
 }
 
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(
-    float x_5,
+    float x,
     float edge,
     float w
 ) {
-    float d_3 = x_5 - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_3 / w), 0.0, 1.0);
+    float d = x - edge;
+    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
 }
 
 Color mix_colors_multiply(
@@ -181,6 +218,7 @@ Color mix_colors_multiply(
     return metal::float4(metal::mix(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -189,265 +227,263 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_1,
-    ProfileShape shape_1
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_4 = metal::float2((u_2.half_sin * shape_1.half_cos_offset) - (u_2.half_cos * shape_1.half_sin_offset), (u_2.half_cos * shape_1.half_cos_offset) + (u_2.half_sin * shape_1.half_sin_offset));
-    float _e19 = profile_soft_quick(place_4.x, shape_1);
-    if (w_1 < (0.1 * shape_1.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_2 = 0.19364917 * w_1;
-    metal::float2 turn = metal::float2(r_2 * (1.0 - ((0.16666667 * r_2) * r_2)), 1.0 - ((0.5 * r_2) * r_2));
-    float _e45 = profile_soft_quick((place_4.x * turn.y) - (place_4.y * turn.x), shape_1);
-    float _e53 = profile_soft_quick((place_4.x * turn.y) + (place_4.y * turn.x), shape_1);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_2
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_2);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+/// p turned by an angle in radians, from x to y.
 metal::float2 turned_by(
     metal::float2 p,
-    float angle_1
+    float angle
 ) {
-    metal::float2 turn_1 = metal::float2(metal::sin(angle_1), metal::cos(angle_1));
-    return metal::float2((turn_1.y * p.x) - (turn_1.x * p.y), (turn_1.x * p.x) + (turn_1.y * p.y));
+    metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
+    return metal::float2((turn.y * p.x) - (turn.x * p.y), (turn.x * p.x) + (turn.y * p.y));
 }
 
+/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
+/// and is turned by an angle in radians.
 metal::float2 screen_cells(
     metal::float2 place,
     metal::float2 viewport,
     float lines,
-    float angle_2
+    float angle
 ) {
     metal::float2 most = metal::float2(4194304.0);
     metal::float2 upright = place * (lines / metal::max(viewport.y, 1.0));
-    metal::float2 _e14 = turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle_2);
-    return metal::clamp(_e14, metal::float2(-4194304.0), most);
+    return metal::clamp(turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle), metal::float2(-4194304.0), most);
 }
 
+/// The integral of lines from 0 to x.
 float lines_integral(
-    float x_6,
+    float x,
     float share
 ) {
-    float whole = metal::rint(x_6);
-    return (whole * share) + metal::clamp(x_6 - whole, -0.5 * share, 0.5 * share);
+    float whole = metal::rint(x);
+    return (whole * share) + metal::clamp(x - whole, -0.5 * share, 0.5 * share);
 }
 
+/// Lines that cover `share` of all, from 0 to 1: 1 within half a `share` of every whole number, 0
+/// elsewhere, averaged over a footprint of `w`. Without a footprint the edges are inclusive.
 float lines_filtered(
-    float x_7,
-    float share_1,
-    float w_2
+    float x,
+    float share,
+    float w
 ) {
-    float t_2 = x_7 - metal::rint(x_7);
-    if (w_2 < 0.000000000000000000000000000001) {
-        return ((metal::abs(t_2) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0;
+    float t = x - metal::rint(x);
+    if (w < 0.000000000000000000000000000001) {
+        return ((metal::abs(t) <= (0.5 * share)) & (share > 0.0)) ? 1.0 : 0.0;
     }
-    float half_1 = 0.5 * metal::min(w_2, 1000.0);
-    float _e22 = lines_integral(t_2 + half_1, share_1);
-    float _e24 = lines_integral(t_2 - half_1, share_1);
-    return metal::clamp((_e22 - _e24) / (2.0 * half_1), 0.0, 1.0);
+    // Beyond a thousand lines to the pixel the average does not change any more.
+    float half_ = 0.5 * metal::min(w, 1000.0);
+    return metal::clamp((lines_integral(t + half_, share) - lines_integral(t - half_, share)) / (2.0 * half_), 0.0, 1.0);
 }
 
+/// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
+/// they overlap, and at 1 they reach the middle between four.
 float dot_radius(
-    float share_2
+    float share
 ) {
-    float a_1 = {};
+    float a = {};
     int i = 0;
-    if (share_2 <= 0.7853982) {
-        return metal::sqrt(share_2 * 0.31830987);
+    if (share <= 0.7853982) {
+        return metal::sqrt(share * 0.31830987);
     }
-    float s_3 = (share_2 - 0.7853982) / 0.21460183;
-    a_1 = metal::mix(0.5227232 * metal::sqrt(s_3), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s_3)), s_3);
-    uint2 loop_bound = uint2(4294967295u);
+    float s = (share - 0.7853982) / 0.21460183;
+    a = metal::mix(0.5227232 * metal::sqrt(s), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s)), s);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e61 = i;
-            i = as_type<int>(as_type<uint>(_e61) + as_type<uint>(1));
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        int _e24 = i;
-        if (!((_e24 < 2))) {
+        if (!((i < 2))) {
             break;
         }
-        float _e28 = a_1;
-        metal::float2 _e32 = sin_cos_quarter(metal::clamp(_e28, 0.0, 0.7853982));
-        float tangent = _e32.x / _e32.y;
-        float square_1 = 1.0 / (_e32.y * _e32.y);
-        float _e41 = a_1;
-        float sector = 0.7853982 - _e41;
-        float slope = ((2.0 * sector) * square_1) * tangent;
-        float _e48 = a_1;
-        a_1 = metal::clamp(_e48 - ((slope > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope) : 0.0), 0.0, 0.7853982);
+        metal::float2 turn = sin_cos_quarter(metal::clamp(a, 0.0, 0.7853982));
+        float tangent = turn.x / turn.y;
+        float square = 1.0 / (turn.y * turn.y);
+        float sector = 0.7853982 - a;
+        float slope = ((2.0 * sector) * square) * tangent;
+        a = metal::clamp(a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0), 0.0, 0.7853982);
     }
-    float _e64 = a_1;
-    metal::float2 _e65 = sin_cos_quarter(_e64);
-    return 0.5 / _e65.y;
+    return 0.5 / sin_cos_quarter(a).y;
 }
 
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
 float disk_filtered(
     float d,
     float r,
-    float w_3
+    float w
 ) {
-    if (w_3 < 0.000000000000000000000000000001) {
+    if (w < 0.000000000000000000000000000001) {
         return ((d <= r) & (r > 0.0)) ? 1.0 : 0.0;
     }
-    float square_2 = r * r;
-    float least = (w_3 * w_3) / 3.0;
-    float inner = metal::sqrt(metal::max(square_2, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w_3), 0.0, 1.0) * metal::min(square_2 / least, 1.0);
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
+    float square = r * r;
+    float least = (w * w) / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
+    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
-float disk_filtered_2_(
-    float d_1,
-    float r_1,
-    float w_4
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
+float disk_filtered_2(
+    float d,
+    float r,
+    float w
 ) {
-    if (w_4 < 0.000000000000000000000000000001) {
-        return ((d_1 <= r_1) & true) ? 1.0 : 0.0;
+    if (w < 0.000000000000000000000000000001) {
+        return ((d <= r) & true) ? 1.0 : 0.0;
     }
-    float square_3 = r_1 * r_1;
-    float least_1 = (w_4 * w_4) / 3.0;
-    float inner_1 = metal::sqrt(metal::max(square_3, least_1) - (0.25 * least_1));
-    return metal::clamp(0.5 + ((inner_1 - d_1) / w_4), 0.0, 1.0) * metal::min(square_3 / least_1, 1.0);
+    float square = r * r;
+    float least = (w * w) / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
+    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
+/// Ink of round dots that cover `share` of the plane.
 float ink_of_dots(
     metal::float2 cell,
-    float share_3,
-    float w_5
+    float share,
+    float w
 ) {
     float ink = {};
-    float width = metal::min(w_5, 1.0);
-    float _e8 = dot_radius(share_3);
-    float _e9 = disk_filtered(metal::length(cell - metal::rint(cell)), _e8, width);
-    ink = _e9;
-    float hole = metal::sqrt((1.0 - share_3) * 0.31830987);
-    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width) * metal::smoothstep(0.5, 0.7, share_3);
+    float width = metal::min(w, 1.0);
+    ink = disk_filtered(metal::length(cell - metal::rint(cell)), dot_radius(share), width);
+    float hole = metal::sqrt((1.0 - share) * 0.31830987);
+    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width) * metal::smoothstep(0.5, 0.7, share);
     if (is_star > 0.0) {
-        float _e27 = ink;
-        float _e34 = disk_filtered_2_(metal::length((cell - metal::floor(cell)) - metal::float2(0.5)), hole, width);
-        ink = metal::mix(_e27, 1.0 - _e34, is_star);
+        float disk_filtered_2_value = disk_filtered_2(metal::length((cell - metal::floor(cell)) - metal::float2(0.5)), hole, width);
+        ink = metal::mix(ink, 1.0 - disk_filtered_2_value, is_star);
     }
-    float _e38 = ink;
-    float mean = metal::mix(_e38, share_3, metal::smoothstep(0.4, 1.0, w_5));
-    return ((share_3 <= 0.0) | false) ? share_3 : mean;
+    float mean = metal::mix(ink, share, metal::smoothstep(0.4, 1.0, w));
+    return ((share <= 0.0) | false) ? share : mean;
 }
 
-float ink_of_dots_2_(
-    metal::float2 cell_1,
-    float share_4,
-    float w_6
+/// Ink of round dots that cover `share` of the plane.
+float ink_of_dots_2(
+    metal::float2 cell,
+    float share,
+    float w
 ) {
-    float ink_1 = {};
-    float width_1 = metal::min(w_6, 1.0);
-    float _e8 = dot_radius(share_4);
-    float _e9 = disk_filtered(metal::length(cell_1 - metal::rint(cell_1)), _e8, width_1);
-    ink_1 = _e9;
-    float hole_1 = metal::sqrt((1.0 - share_4) * 0.31830987);
-    float _e20 = eased(width_1, 0.3 * hole_1, 0.9 * hole_1);
-    float is_star_1 = _e20 * metal::smoothstep(0.5, 0.7, share_4);
-    if (is_star_1 > 0.0) {
-        float _e27 = ink_1;
-        float _e34 = disk_filtered_2_(metal::length((cell_1 - metal::floor(cell_1)) - metal::float2(0.5)), hole_1, width_1);
-        ink_1 = metal::mix(_e27, 1.0 - _e34, is_star_1);
+    float ink = {};
+    float width = metal::min(w, 1.0);
+    ink = disk_filtered(metal::length(cell - metal::rint(cell)), dot_radius(share), width);
+    float hole = metal::sqrt((1.0 - share) * 0.31830987);
+    float is_star = eased(width, 0.3 * hole, 0.9 * hole) * metal::smoothstep(0.5, 0.7, share);
+    if (is_star > 0.0) {
+        float disk_filtered_2_value = disk_filtered_2(metal::length((cell - metal::floor(cell)) - metal::float2(0.5)), hole, width);
+        ink = metal::mix(ink, 1.0 - disk_filtered_2_value, is_star);
     }
-    float _e38 = ink_1;
-    float mean_1 = metal::mix(_e38, share_4, metal::smoothstep(0.4, 1.0, w_6));
-    return ((share_4 <= 0.0) | false) ? share_4 : mean_1;
+    float mean = metal::mix(ink, share, metal::smoothstep(0.4, 1.0, w));
+    return ((share <= 0.0) | false) ? share : mean;
 }
 
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 float halftone_dots(
     float value,
-    metal::float2 place_1,
-    float lines_1,
-    float angle_3,
-    metal::float2 viewport_1
+    metal::float2 place,
+    float lines,
+    float angle,
+    metal::float2 viewport
 ) {
-    metal::float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
-    metal::float2 _e6 = footprint_of_vec2_(_e5);
-    float _e14 = ink_of_dots(_e5, 1.0 - metal::min(value, 1.0), metal::max(_e6.x, _e6.y));
-    return 1.0 - _e14;
+    metal::float2 cell = screen_cells(place, viewport, lines, angle);
+    metal::float2 w = footprint_of_vec2(cell);
+    return 1.0 - ink_of_dots(cell, 1.0 - metal::min(value, 1.0), metal::max(w.x, w.y));
 }
 
-float halftone_dots_2_(
-    float value_1,
-    metal::float2 place_2,
-    float lines_2,
-    float angle_4,
-    metal::float2 viewport_2
+/// Half-tone
+///
+/// Turns a tone into dark dots, lines or crosses, as print does, whose average is the tone. Screens
+/// belong to the picture's height, so that every resolution has the same ones. For print in color
+/// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
+/// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
+float halftone_dots_2(
+    float value,
+    metal::float2 place,
+    float lines,
+    float angle,
+    metal::float2 viewport
 ) {
-    metal::float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
-    metal::float2 _e6 = footprint_of_vec2_(_e5);
-    float _e14 = ink_of_dots_2_(_e5, 1.0 - metal::min(value_1, 1.0), metal::max(_e6.x, _e6.y));
-    return 1.0 - _e14;
+    metal::float2 cell = screen_cells(place, viewport, lines, angle);
+    metal::float2 w = footprint_of_vec2(cell);
+    return 1.0 - ink_of_dots_2(cell, 1.0 - metal::min(value, 1.0), metal::max(w.x, w.y));
 }
 
 float halftone_lines(
-    float value_2,
-    metal::float2 place_3,
-    float lines_3,
-    float angle_5,
-    metal::float2 viewport_3
+    float value,
+    metal::float2 place,
+    float lines,
+    float angle,
+    metal::float2 viewport
 ) {
-    metal::float2 _e5 = screen_cells(place_3, viewport_3, lines_3, angle_5);
-    float _e10 = footprint_of(_e5.y);
-    float _e11 = lines_filtered(_e5.y, 1.0 - value_2, _e10);
-    return 1.0 - _e11;
+    metal::float2 cell = screen_cells(place, viewport, lines, angle);
+    return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.side.direction;
-    metal::float3 _e14 = look.side.direction;
-    Angle side = Angle {0.5 * metal::length(surface.normal - _e5), 0.5 * metal::length(surface.normal + _e14)};
-    float _e22 = profile_balanced(side, 0.0, yellow_s_share_shape);
-    float pale = metal::mix(1.0, 0.25, _e22 - 0.0);
-    metal::float2 _e33 = look.viewport;
-    float _e34 = halftone_lines(pale, surface.pixel, 56.0, 0.0, _e33);
-    metal::float4 p1_ink = metal::mix(metal::float4(0.9647, 0.8118, 0.2902, 1.0), metal::float4(1.0), _e34);
-    Color _e49 = mix_colors_multiply(metal::float4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
-    metal::float3 _e54 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface.normal, _e54) + 0.3) / 1.3, 0.0);
-    float tone = metal::min((shade_2_ - 0.0) / 0.8, 1.0);
+    Angle side = Angle {0.5 * metal::length(surface.normal - look.side.direction), 0.5 * metal::length(surface.normal + look.side.direction)};
+    float yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
+    float pale = metal::mix(1.0, 0.25, yellow_s_share - 0.0);
+    float yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, look.viewport);
+    metal::float4 p1_ink = metal::mix(metal::float4(0.9647, 0.8118, 0.2902, 1.0), metal::float4(1.0), yellow_screen);
+    Color on_paper = mix_colors_multiply(metal::float4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
+    float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = metal::min((shade_2 - 0.0) / 0.8, 1.0);
     float coral_s_share = metal::mix(0.12, 1.0, metal::clamp((tone - 0.25) / 0.7, 0.0, 1.0));
-    metal::float2 _e83 = look.viewport;
-    float _e84 = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, _e83);
-    metal::float4 p2_ink = metal::mix(metal::float4(0.9333, 0.3529, 0.2902, 1.0), metal::float4(1.0), _e84);
-    metal::float4 printed_over = metal::float4(metal::mix(_e49.xyz, _e49.xyz * p2_ink.xyz, 1.0), 1.0);
+    float coral_screen = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, look.viewport);
+    metal::float4 p2_ink = metal::mix(metal::float4(0.9333, 0.3529, 0.2902, 1.0), metal::float4(1.0), coral_screen);
+    metal::float4 printed_over = metal::float4(metal::mix(on_paper.xyz, on_paper.xyz * p2_ink.xyz, 1.0), 1.0);
     float teal_s_share = metal::mix(0.05, 1.0, metal::min((tone - 0.0) / 0.5, 1.0));
-    metal::float2 _e115 = look.viewport;
-    float _e116 = halftone_dots_2_(teal_s_share, surface.pixel, 56.0, 1.309, _e115);
-    metal::float4 p3_ink = metal::mix(metal::float4(0.1216, 0.5608, 0.5922, 1.0), metal::float4(1.0), _e116);
-    metal::float4 printed_over_2_ = metal::float4(metal::mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
+    float teal_screen = halftone_dots_2(teal_s_share, surface.pixel, 56.0, 1.309, look.viewport);
+    metal::float4 p3_ink = metal::mix(metal::float4(0.1216, 0.5608, 0.5922, 1.0), metal::float4(1.0), teal_screen);
+    metal::float4 printed_over_2 = metal::float4(metal::mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
     float curvature = surface.kappa;
     float hollow = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.25, -20.0, 20.0))))));
-    float _e153 = footprint_of(hollow);
-    float _e157 = step_filtered(hollow, 0.22, metal::length(metal::float2(_e153, 0.0)));
+    float hollows = step_filtered(hollow, 0.22, metal::length(metal::float2(footprint_of(hollow), 0.0)));
     float facing = metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0);
-    float _e165 = footprint_of(facing);
-    float _e169 = step_filtered(facing, 0.28, metal::length(metal::float2(_e165, 0.0)));
-    float black_screen = _e157 * _e169;
+    float outline = step_filtered(facing, 0.28, metal::length(metal::float2(footprint_of(facing), 0.0)));
+    float black_screen = hollows * outline;
     metal::float4 p4_ink = metal::mix(metal::float4(0.0902, 0.0745, 0.1216, 1.0), metal::float4(1.0), black_screen);
-    metal::float4 printed_over_3_ = metal::float4(metal::mix(printed_over_2_.xyz, printed_over_2_.xyz * p4_ink.xyz, 1.0), 1.0);
-    return printed_over_3_;
+    metal::float4 printed_over_3 = metal::float4(metal::mix(printed_over_2.xyz, printed_over_2.xyz * p4_ink.xyz, 1.0), 1.0);
+    return printed_over_3;
 }
 
 struct vs_mainInput {
@@ -465,11 +501,8 @@ vertex vs_mainOutput vs_main(
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -494,14 +527,9 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view.eye;
-    float _e13 = view.eye.w;
-    metal::float4 _e23 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4 _e29 = view.screen;
-    metal::float4 _e34 = view.screen;
-    Surface surface_1 = Surface {normal, metal::normalize(_e8.xyz - (_e13 * in.position)), _e23.x, (in.clip.xy * _e29.xy) + _e34.zw};
-    metal::float4 _e38 = shade(surface_1, look);
-    return fs_mainOutput { _e38 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x, (in.clip.xy * view.screen.xy) + view.screen.zw};
+    return fs_mainOutput { shade(surface, look) };
 }

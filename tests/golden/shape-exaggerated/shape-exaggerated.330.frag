@@ -7,18 +7,26 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -27,15 +35,24 @@ struct Surface {
     vec3 smooth_normal_3_;
     vec3 smooth_normal_4_;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     vec4 before;
     vec4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
 };
 struct Varyings {
@@ -62,6 +79,8 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
     float f = (x - whole);
@@ -69,43 +88,52 @@ float exp2_stable(float x) {
     return (twice * 0.5);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen_balanced(vec3 v_1) {
-    return (v_1 * inversesqrt(max(dot(v_1, v_1), 1e-30)));
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+vec3 normalize_seen_balanced(vec3 v) {
+    return (v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-float bounded(float x_1) {
-    uint bits = floatBitsToUint(x_1);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-float footprint_of(float x_2) {
-    float _e1 = dFdx(x_2);
-    float _e2 = dFdy(x_2);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value_1) : value_1);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
@@ -113,28 +141,29 @@ vec3 oklab_of_linear(vec3 rgb) {
     return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l_1 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_1 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_1 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l_1 * l_1) * l_1), ((m_1 * m_1) * m_1), ((s_1 * s_1) * s_1));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 _e23 = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_value;
 }
 
-vec3 srgb_of_oklab(vec3 lab_1) {
-    vec3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return vec3(_e3, _e5, _e7);
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+vec3 srgb_of_oklab(vec3 lab) {
+    vec3 light = linear_of_oklab(lab);
+    return vec3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-RampPlace ramp_place(Ramp ramp, float x_3) {
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
+RampPlace ramp_place(Ramp ramp, float x) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
@@ -144,101 +173,82 @@ RampPlace ramp_place(Ramp ramp, float x_3) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e27 = i;
-            i = (_e27 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 5u))) {
+        if (!((i < 5u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e16 = i;
-        uint _e20 = i;
-        float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
-        at = ((_e24 <= x_3) ? _e15 : _e14);
+        float places_now = places[(i / 4u)][(i % 4u)];
+        at = ((places_now <= x) ? i : at);
     }
-    uint _e30 = at;
-    uint after = min((_e30 + 1u), 4u);
-    uint _e35 = at;
-    uint _e39 = at;
-    float place = places[(_e35 / 4u)][(_e39 % 4u)];
-    float _e51 = places[(after / 4u)][(after % 4u)];
-    float _e53 = divided((x_3 - place), (_e51 - place));
-    float t = clamp(_e53, 0.0, 1.0);
-    uint _e57 = at;
-    vec4 _e59 = colors[_e57];
-    vec4 _e61 = colors[after];
-    return RampPlace(_e59, _e61, t);
+    uint after = min((at + 1u), 4u);
+    float place = places[(at / 4u)][(at % 4u)];
+    float t = clamp(divided((x - place), (places[(after / 4u)][(after % 4u)] - place)), 0.0, 1.0);
+    return RampPlace(colors[at], colors[after], t);
 }
 
-vec4 ramp_oklab(float value, Ramp ramp_1) {
-    RampPlace _e2 = ramp_place(ramp_1, value);
-    vec3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    vec3 _e8 = oklab_of_srgb(_e2.after.xyz);
-    vec3 _e11 = srgb_of_oklab(mix(_e5, _e8, _e2.t));
-    return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : vec4(_e11, 1.0)));
+vec4 ramp_oklab(float value, Ramp ramp) {
+    RampPlace place = ramp_place(ramp, value);
+    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
+    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : vec4(srgb_of_oklab_value, 1.0)));
 }
 
-float detail_lit(vec3 finer, vec3 coarser, vec3 light_1, float contrast) {
-    vec3 across = (light_1 - (dot(light_1, coarser) * coarser));
+/// Shading of the detail that a finer normal has beyond a coarser one: -1 where the finer turns
+/// from the light, 1 where it turns toward the light. The light is laid at the coarser normal's
+/// horizon, so that detail is lit as well as can be, however the light falls.
+float detail_lit(vec3 finer, vec3 coarser, vec3 light, float contrast) {
+    vec3 across = (light - (dot(light, coarser) * coarser));
+    // Straight under the light there is no direction along the surface, and detail fades.
     vec3 toward = (across / vec3(max(length(across), 0.05)));
     return clamp((contrast * dot(finer, toward)), -1.0, 1.0);
 }
 
-float exaggerated_four(Light light_2, vec3 normal, float contrast_1, float detail, vec3 smooth_1_, vec3 smooth_2_, vec3 smooth_3_, vec3 smooth_4_) {
-    float _e9 = exp2_stable(-(detail));
-    vec3 _e10 = normalize_moderate(smooth_1_, normal);
-    vec3 _e11 = normalize_moderate(smooth_2_, _e10);
-    vec3 _e12 = normalize_moderate(smooth_3_, _e11);
-    vec3 _e13 = normalize_moderate(smooth_4_, _e12);
-    float _e15 = detail_lit(_e11, _e12, light_2.direction, contrast_1);
-    float _e17 = detail_lit(_e12, _e13, light_2.direction, contrast_1);
-    float coarse = (_e15 + (_e9 * (_e17 + (_e9 * dot(_e13, light_2.direction)))));
-    float _e25 = detail_lit(normal, _e10, light_2.direction, contrast_1);
-    float _e27 = detail_lit(_e10, _e11, light_2.direction, contrast_1);
-    float sum = (_e25 + (_e9 * (_e27 + (_e9 * coarse))));
-    return clamp((0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9))))))))), 0.0, 1.0);
+float exaggerated_four(Light light, vec3 normal, float contrast, float detail, vec3 smooth_1, vec3 smooth_2, vec3 smooth_3, vec3 smooth_4) {
+    float r = exp2_stable(-(detail));
+    vec3 n1 = normalize_moderate(smooth_1, normal);
+    vec3 n2 = normalize_moderate(smooth_2, n1);
+    vec3 n3 = normalize_moderate(smooth_3, n2);
+    vec3 n4 = normalize_moderate(smooth_4, n3);
+    float detail_lit_value = detail_lit(n3, n4, light.direction, contrast);
+    float coarse = (detail_lit(n2, n3, light.direction, contrast) + (r * (detail_lit_value + (r * dot(n4, light.direction)))));
+    float detail_lit_value_1 = detail_lit(n1, n2, light.direction, contrast);
+    float sum = (detail_lit(normal, n1, light.direction, contrast) + (r * (detail_lit_value_1 + (r * coarse))));
+    return clamp((0.5 + ((0.5 * sum) / (1.0 + (r * (1.0 + (r * (1.0 + (r * (1.0 + r))))))))), 0.0, 1.0);
 }
 
-float outer_contour(float width, vec3 normal_1, vec3 view, vec2 viewport) {
-    float facing = clamp(dot(normal_1, view), 0.0, 1.0);
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
+float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
     float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float _e15 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e15), 1e-6));
+    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Light _e3 = u_look.key;
-    float _e11 = exaggerated_four(_e3, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
-    vec4 _e13 = ramp_oklab(_e11, from_dusk_to_sun);
-    vec2 _e19 = u_look.viewport;
-    float _e20 = outer_contour(3.0, surface.normal, surface.view, _e19);
-    vec4 inked = mix(_e13, vec4(0.098, 0.1059, 0.2, 1.0), _e20);
+    float every_scale_of_detail = exaggerated_four(u_look.key, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
+    vec4 from_dusk_to_sun_2 = ramp_oklab(every_scale_of_detail, from_dusk_to_sun);
+    float ink = outer_contour(3.0, surface.normal, surface.view, u_look.viewport);
+    vec4 inked = mix(from_dusk_to_sun_2, vec4(0.098, 0.1059, 0.2, 1.0), ink);
     return inked;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen_balanced(in_.normal);
-    vec3 normal_2 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e29 = u_view.camera_from_world;
-    vec4 _e37 = texelFetch(u_smooth_normal_2_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e43 = u_view.camera_from_world;
-    vec4 _e51 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e57 = u_view.camera_from_world;
-    vec4 _e65 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e71 = u_view.camera_from_world;
-    Surface surface_1 = Surface(normal_2, normalize((_e8.xyz - (_e13 * in_.position))), (vec4(_e23.xyz, 0.0) * _e29).xyz, (vec4(_e37.xyz, 0.0) * _e43).xyz, (vec4(_e51.xyz, 0.0) * _e57).xyz, (vec4(_e65.xyz, 0.0) * _e71).xyz);
-    vec4 _e75 = shade(surface_1);
-    out_color = _e75;
+    vec3 facing = normalize_seen_balanced(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_1 = texelFetch(u_smooth_normal_2_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_2 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
+    vec4 texel_3 = texelFetch(u_smooth_normal_4_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), (vec4(texel.xyz, 0.0) * u_view.camera_from_world).xyz, (vec4(texel_1.xyz, 0.0) * u_view.camera_from_world).xyz, (vec4(texel_2.xyz, 0.0) * u_view.camera_from_world).xyz, (vec4(texel_3.xyz, 0.0) * u_view.camera_from_world).xyz);
+    out_color = shade(surface);
     return;
 }
 

@@ -1,6 +1,6 @@
 // Exaggerated shape: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2), smooth_normal_1_map texture(0), smooth_normal_2_map texture(1), smooth_normal_3_map texture(2), smooth_normal_4_map texture(3).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), smooth_normal_1_map texture(0), smooth_normal_2_map texture(1), smooth_normal_3_map texture(2), smooth_normal_4_map texture(3).
 // shape-exaggerated.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,26 +13,34 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -48,16 +56,25 @@ struct type_7 {
 struct type_8 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_7 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_8 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     metal::float4 before;
     metal::float4 after;
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
     char _pad3[12];
 };
@@ -73,6 +90,8 @@ struct Varyings {
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant Ramp from_dusk_to_sun = Ramp {type_7 {{metal::float4(0.1373, 0.1647, 0.302, 1.0), metal::float4(0.4196, 0.3725, 0.5255, 1.0), metal::float4(0.7882, 0.5804, 0.4353, 1.0), metal::float4(0.9412, 0.8039, 0.5725, 1.0), metal::float4(1.0, 0.9843, 0.902, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.05, 0.35, 0.55, 0.75), metal::float4(0.98, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 0u};
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(
     float x
 ) {
@@ -82,6 +101,8 @@ float exp2_stable(
     return twice * 0.5;
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -90,21 +111,26 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
 metal::float3 normalize_seen_balanced(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    return v_1 * metal::rsqrt(metal::max(metal::dot(v_1, v_1), 0.000000000000000000000000000001));
+    return v * metal::rsqrt(metal::max(metal::dot(v, v), 0.000000000000000000000000000001));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// a / b; 0 where b is 0.
 float divided(
     float a,
     float b
@@ -112,27 +138,29 @@ float divided(
     if (metal::abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e7 = bounded(a / b);
-    return _e7;
+    return bounded(a / b);
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value_1) : value_1;
+    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
+    return (light < 0.0) ? -(value) : value;
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
@@ -142,31 +170,31 @@ metal::float3 oklab_of_linear(
     return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l_1 = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m_1 = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s_1 = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l_1 * l_1) * l_1, (m_1 * m_1) * m_1, (s_1 * s_1) * s_1);
+    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
+    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
+/// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 _e23 = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
-    return _e23;
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    return oklab_of_linear_value;
 }
 
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 metal::float3 srgb_of_oklab(
-    metal::float3 lab_1
+    metal::float3 lab
 ) {
-    metal::float3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return metal::float3(_e3, _e5, _e7);
+    metal::float3 light = linear_of_oklab(lab);
+    return metal::float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -177,9 +205,10 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(
     Ramp ramp,
-    float x_3
+    float x
 ) {
     type_7 colors = {};
     type_8 places = {};
@@ -187,111 +216,96 @@ RampPlace ramp_place(
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e27 = i;
-            i = _e27 + 1u;
+            i = i + 1u;
         }
         loop_init = false;
-        uint _e10 = i;
-        if (!((_e10 < 5u))) {
+        if (!((i < 5u))) {
             break;
         }
-        uint _e14 = at;
-        uint _e15 = i;
-        uint _e16 = i;
-        uint _e20 = i;
-        float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
-        at = (_e24 <= x_3) ? _e15 : _e14;
+        float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
+        at = (places_now <= x) ? i : at;
     }
-    uint _e30 = at;
-    uint after = metal::min(_e30 + 1u, 4u);
-    uint _e35 = at;
-    uint _e39 = at;
-    float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
-    float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
-    float _e53 = divided(x_3 - place, _e51 - place);
-    float t = metal::clamp(_e53, 0.0, 1.0);
-    uint _e57 = at;
-    metal::float4 _e59 = colors.inner[_e57];
-    metal::float4 _e61 = colors.inner[after];
-    return RampPlace {_e59, _e61, t};
+    uint after = metal::min(at + 1u, 4u);
+    float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
+    float t = metal::clamp(divided(x - place, places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place), 0.0, 1.0);
+    return RampPlace {colors.inner[at], colors.inner[after], t};
 }
 
 Color ramp_oklab(
     float value,
-    Ramp ramp_1
+    Ramp ramp
 ) {
-    RampPlace _e2 = ramp_place(ramp_1, value);
-    metal::float3 _e5 = oklab_of_srgb(_e2.before.xyz);
-    metal::float3 _e8 = oklab_of_srgb(_e2.after.xyz);
-    metal::float3 _e11 = srgb_of_oklab(metal::mix(_e5, _e8, _e2.t));
-    return (_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : metal::float4(_e11, 1.0));
+    RampPlace place = ramp_place(ramp, value);
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
+    return (place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
+/// Shading of the detail that a finer normal has beyond a coarser one: -1 where the finer turns
+/// from the light, 1 where it turns toward the light. The light is laid at the coarser normal's
+/// horizon, so that detail is lit as well as can be, however the light falls.
 float detail_lit(
     metal::float3 finer,
     metal::float3 coarser,
-    metal::float3 light_1,
+    metal::float3 light,
     float contrast
 ) {
-    metal::float3 across = light_1 - (metal::dot(light_1, coarser) * coarser);
+    metal::float3 across = light - (metal::dot(light, coarser) * coarser);
+    // Straight under the light there is no direction along the surface, and detail fades.
     metal::float3 toward = across / metal::float3(metal::max(metal::length(across), 0.05));
     return metal::clamp(contrast * metal::dot(finer, toward), -1.0, 1.0);
 }
 
 float exaggerated_four(
-    Light light_2,
+    Light light,
     metal::float3 normal,
-    float contrast_1,
+    float contrast,
     float detail,
-    metal::float3 smooth_1_,
-    metal::float3 smooth_2_,
-    metal::float3 smooth_3_,
-    metal::float3 smooth_4_
+    metal::float3 smooth_1,
+    metal::float3 smooth_2,
+    metal::float3 smooth_3,
+    metal::float3 smooth_4
 ) {
-    float _e9 = exp2_stable(-(detail));
-    metal::float3 _e10 = normalize_moderate(smooth_1_, normal);
-    metal::float3 _e11 = normalize_moderate(smooth_2_, _e10);
-    metal::float3 _e12 = normalize_moderate(smooth_3_, _e11);
-    metal::float3 _e13 = normalize_moderate(smooth_4_, _e12);
-    float _e15 = detail_lit(_e11, _e12, light_2.direction, contrast_1);
-    float _e17 = detail_lit(_e12, _e13, light_2.direction, contrast_1);
-    float coarse = _e15 + (_e9 * (_e17 + (_e9 * metal::dot(_e13, light_2.direction))));
-    float _e25 = detail_lit(normal, _e10, light_2.direction, contrast_1);
-    float _e27 = detail_lit(_e10, _e11, light_2.direction, contrast_1);
-    float sum = _e25 + (_e9 * (_e27 + (_e9 * coarse)));
-    return metal::clamp(0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9)))))))), 0.0, 1.0);
+    float r = exp2_stable(-(detail));
+    metal::float3 n1 = normalize_moderate(smooth_1, normal);
+    metal::float3 n2 = normalize_moderate(smooth_2, n1);
+    metal::float3 n3 = normalize_moderate(smooth_3, n2);
+    metal::float3 n4 = normalize_moderate(smooth_4, n3);
+    float detail_lit_value = detail_lit(n3, n4, light.direction, contrast);
+    float coarse = detail_lit(n2, n3, light.direction, contrast) + (r * (detail_lit_value + (r * metal::dot(n4, light.direction))));
+    float detail_lit_value_1 = detail_lit(n1, n2, light.direction, contrast);
+    float sum = detail_lit(normal, n1, light.direction, contrast) + (r * (detail_lit_value_1 + (r * coarse)));
+    return metal::clamp(0.5 + ((0.5 * sum) / (1.0 + (r * (1.0 + (r * (1.0 + (r * (1.0 + r)))))))), 0.0, 1.0);
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(
     float width,
-    metal::float3 normal_1,
+    metal::float3 normal,
     metal::float3 view,
     metal::float2 viewport
 ) {
-    float facing = metal::clamp(metal::dot(normal_1, view), 0.0, 1.0);
+    float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
     float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
-    float _e15 = footprint_of(facing);
-    float distance = facing / metal::max(2.0 * _e15, 0.000001);
+    float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
     return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    float _e11 = exaggerated_four(_e3, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
-    Color _e13 = ramp_oklab(_e11, from_dusk_to_sun);
-    metal::float2 _e19 = look.viewport;
-    float _e20 = outer_contour(3.0, surface.normal, surface.view, _e19);
-    metal::float4 inked = metal::mix(_e13, metal::float4(0.098, 0.1059, 0.2, 1.0), _e20);
+    float every_scale_of_detail = exaggerated_four(look.key, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
+    Color from_dusk_to_sun_2 = ramp_oklab(every_scale_of_detail, from_dusk_to_sun);
+    float ink = outer_contour(3.0, surface.normal, surface.view, look.viewport);
+    metal::float4 inked = metal::mix(from_dusk_to_sun_2, metal::float4(0.098, 0.1059, 0.2, 1.0), ink);
     return inked;
 }
 
@@ -306,15 +320,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e15 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, _e15 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -334,7 +345,7 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> smooth_normal_1_map [[texture(0)]]
 , metal::texture2d<float, metal::access::sample> smooth_normal_2_map [[texture(1)]]
@@ -342,19 +353,12 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> smooth_normal_4_map [[texture(3)]]
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
-    metal::float3 _e3 = normalize_seen_balanced(in.normal);
-    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e29 = view_1.camera_from_world;
-    metal::float4 _e37 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e43 = view_1.camera_from_world;
-    metal::float4 _e51 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e57 = view_1.camera_from_world;
-    metal::float4 _e65 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e71 = view_1.camera_from_world;
-    Surface surface_1 = Surface {normal_2, metal::normalize(_e8.xyz - (_e13 * in.position)), (metal::float4(_e23.xyz, 0.0) * _e29).xyz, (metal::float4(_e37.xyz, 0.0) * _e43).xyz, (metal::float4(_e51.xyz, 0.0) * _e57).xyz, (metal::float4(_e65.xyz, 0.0) * _e71).xyz};
-    metal::float4 _e75 = shade(surface_1, look);
-    return fs_mainOutput { _e75 };
+    metal::float3 facing = normalize_seen_balanced(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 texel_1 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 texel_2 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4 texel_3 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), (metal::float4(texel.xyz, 0.0) * view.camera_from_world).xyz, (metal::float4(texel_1.xyz, 0.0) * view.camera_from_world).xyz, (metal::float4(texel_2.xyz, 0.0) * view.camera_from_world).xyz, (metal::float4(texel_3.xyz, 0.0) * view.camera_from_world).xyz};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -2,16 +2,23 @@
 // Smooths normals further, from neighbors eight steps away.
 // Registers of space 0: surface t0, curvature b0, normals t1.
 // shape-exaggerated.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct Curvature {
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     float pixel;
+    /// 1 for perspective, 0 for parallel projection.
     float perspective;
+    /// Height of the picture, in pixels.
     float viewport_height;
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
+    /// the top.
     float rows_up;
+    /// Samples per pixel of the picture.
     float samples;
 };
 
+/// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
     int _pad1_0;
@@ -19,26 +26,36 @@ struct SeenPixel {
     float4 texel;
 };
 
+/// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
+/// of depth are along columns and rows of the image.
 struct Plane {
     float object;
     float depth;
+    /// Change of depth from a pixel to the next.
     float2 rise;
+    /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
     int _end_pad_0;
 };
 
+/// A pixel whose curvature is measured.
 struct Center {
     int2 at;
     float2 slope;
     Plane plane;
 };
 
+/// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
+/// row after it, and in the row before it.
 struct Ring {
+    /// Weighted changes of slope.x from the center.
     float4 x;
+    /// Weighted changes of slope.y from the center.
     float4 y;
     float4 weights;
 };
 
+/// A pixel before a level smooths it: all 0 beyond the image, and the object where nothing is.
 struct RoughPixel {
     float3 normal;
     float object;
@@ -56,19 +73,42 @@ struct FragmentInput_fs_main {
     float4 position_1 : SV_Position;
 };
 
+/// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float4 surface_texel(float3 normal_1, float depth, float number)
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
 {
-    const float2 _e3 = slope_of(normal_1);
-    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
+/// The number of an object in texels, from 1 on.
+float object_number(float object)
+{
+    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+float facet_number(float object, float material, float id)
+{
+    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
+    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
+    return (object_number(object) + (parts / 4096.0));
+}
+
+/// The normal that a texel was made from.
 float3 normal_of(float4 texel)
 {
+    // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
+    // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     float2 aside = (0.2 * texel.xy);
     float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
     float nz = ((texel.w < 0.0) ? -(rest) : rest);
@@ -76,32 +116,35 @@ float3 normal_of(float4 texel)
     return ((nz >= 0.2) ? facing : float3(aside, nz));
 }
 
-float4 whole_picture(uint index_1)
+/// A triangle over the whole picture.
+float4 whole_picture(uint index)
 {
-    return float4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// A step in pixels: a share of the picture's height, so that a larger picture measures the same
+/// curvature, not a finer one.
 int step_pixels()
 {
-    float _e2 = curvature.viewport_height;
-    return max(naga_f2i32(round((_e2 / 800.0))), int(1));
+    return max(naga_f2i32(round((curvature.viewport_height / 800.0))), int(1));
 }
 
+/// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction()
 {
-    float _e2 = curvature.rows_up;
-    return ((_e2 > 0.5) ? 1.0 : -1.0);
+    return ((curvature.rows_up > 0.5) ? 1.0 : -1.0);
 }
 
-int2 around(int index_2)
+/// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
+int2 around(int index)
 {
-    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index_2 & int(1))))));
-    int2 straight = ((index_2 < int(2)) ? int2(side, int(0)) : int2(int(0), side));
-    return ((index_2 > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index_2 & int(2))))) : straight);
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
+    int2 straight = ((index < int(2)) ? int2(side, int(0)) : int2(int(0), side));
+    return ((index > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight);
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -118,51 +161,44 @@ uint2 NagaDimensions2D(Texture2D<float4> tex)
     return ret.xy;
 }
 
+/// The pixel whose surface a pixel has: its own, or that of a neighbor.
+///
+/// With several samples a pixel, a look also shades pixels whose middle the object just misses:
+/// they have the surface of the nearest of the eight pixels around that shows one.
 SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
     bool local = (bool)0;
-    int index_3 = (int)0;
+    int index = (int)0;
 
-    float4 _e3 = surface.Load(int3(pixel, int(0)));
-    seen = ConstructSeenPixel(pixel, _e3);
+    seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float _e14 = curvature.samples;
-    if ((_e14 >= 2.0)) {
-        float _e21 = seen.texel.w;
-        local = (_e21 == 0.0);
+    if ((curvature.samples >= 2.0)) {
+        local = (seen.texel.w == 0.0);
     } else {
         local = false;
     }
     bool may_be_missed = local;
-    index_3 = (may_be_missed ? int(7) : int(-1));
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    index = (may_be_missed ? int(7) : int(-1));
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e47 = index_3;
-            index_3 = asint(asuint(_e47) - asuint(int(1)));
+            index = asint(asuint(index) - asuint(int(1)));
         }
         loop_init = false;
-        int _e30 = index_3;
-        if ((_e30 >= int(0))) {
+        if ((index >= int(0))) {
         } else {
             break;
         }
         {
-            int _e33 = index_3;
-            const int2 _e34 = around(_e33);
-            int2 near = clamp(asint(asuint(pixel) + asuint(_e34)), (int(0)).xx, last);
-            float4 texel_1 = surface.Load(int3(near, int(0)));
-            if ((texel_1.w != 0.0)) {
-                seen = ConstructSeenPixel(near, texel_1);
+            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+            float4 texel = surface.Load(int3(near, int(0)));
+            if ((texel.w != 0.0)) {
+                seen = ConstructSeenPixel(near, texel);
             }
         }
     }
-    SeenPixel _e49 = seen;
-    const SeenPixel seenpixel = _e49;
+    const SeenPixel seenpixel = seen;
     return seenpixel;
 }
 
@@ -175,23 +211,24 @@ Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
     return ret;
 }
 
-Plane plane_of(float object, float depth_1, float3 normal_2)
+Plane plane_of(float object, float depth, float3 normal)
 {
-    float _e5 = curvature.pixel;
-    float _e8 = curvature.perspective;
-    float pixel_3 = (_e5 * lerp(1.0, depth_1, _e8));
-    float2 gradient = (normal_2.xy / (max(normal_2.z, 0.02)).xx);
-    const float _e19 = row_direction();
-    const Plane plane_2 = ConstructPlane(object, depth_1, ((pixel_3 * gradient) * float2(1.0, _e19)), ((2.0 * pixel_3) * (1.0 + length(gradient))));
+    float pixel = (curvature.pixel * lerp(1.0, depth, curvature.perspective));
+    float2 gradient = (normal.xy / (max(normal.z, 0.02)).xx);
+    const float row_direction_value = row_direction();
+    const Plane plane_2 = ConstructPlane(object, depth, ((pixel * gradient) * float2(1.0, row_direction_value)), ((2.0 * pixel) * (1.0 + length(gradient))));
     return plane_2;
 }
 
+/// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
+/// depths, and the rises of depth to them on the plane.
 float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
     float4 error = abs(((depths - (plane.depth).xxxx) - rises));
     float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
-    float4 weights_1 = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
-    return ((objects == (plane.object).xxxx) ? weights_1 : (0.0).xxxx);
+    // The weight fades, so that the last bit of a depth does not decide between all and nothing.
+    float4 weights = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
+    return ((objects == (plane.object).xxxx) ? weights : (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
@@ -202,13 +239,12 @@ Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
     return ret;
 }
 
-Center center_at(int2 pixel_1)
+/// The center for a pixel; its object is 0 where there is none.
+Center center_at(int2 pixel)
 {
-    const SeenPixel _e1 = seen_pixel(pixel_1);
-    float4 texel_2 = _e1.texel;
-    const float3 _e8 = normal_of(texel_2);
-    const Plane _e9 = plane_of(abs(texel_2.w), texel_2.z, _e8);
-    const Center center_2 = ConstructCenter(_e1.at, texel_2.xy, _e9);
+    const SeenPixel seen = seen_pixel(pixel);
+    float4 texel = seen.texel;
+    const Center center_2 = ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
     return center_2;
 }
 
@@ -220,58 +256,59 @@ Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
     return ret;
 }
 
+/// The ring that is so many steps away, with its weight.
 Ring ring_at(Center center_, int steps, float weight)
 {
-    const int _e3 = step_pixels();
-    int reach = asint(asuint(steps) * asuint(_e3));
-    float distance_1 = float(reach);
-    int2 at_2 = center_.at;
-    int2 last_1 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 a_1 = surface.Load(int3(int2(min(asint(asuint(at_2.x) + asuint(reach)), last_1.x), at_2.y), int(0)));
-    float4 b_1 = surface.Load(int3(int2(max(asint(asuint(at_2.x) - asuint(reach)), int(0)), at_2.y), int(0)));
-    float4 c = surface.Load(int3(int2(at_2.x, min(asint(asuint(at_2.y) + asuint(reach)), last_1.y)), int(0)));
-    float4 d = surface.Load(int3(int2(at_2.x, max(asint(asuint(at_2.y) - asuint(reach)), int(0))), int(0)));
-    bool4 is_inside = (int4(asint(asuint(last_1.x) - asuint(at_2.x)), at_2.x, asint(asuint(last_1.y) - asuint(at_2.y)), at_2.y) >= (reach).xxxx);
-    float4 objects_1 = (is_inside ? abs(float4(a_1.w, b_1.w, c.w, d.w)) : (0.0).xxxx);
-    float2 rise = (distance_1 * center_.plane.rise);
-    float4 rises_1 = float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    const float4 _e86 = neighbor_weights(center_.plane, objects_1, float4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
-    float4 shares = ((weight * distance_1) * _e86);
-    const Ring ring_1 = ConstructRing((shares * (float4(a_1.x, b_1.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a_1.y, b_1.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_1));
+    int reach = asint(asuint(steps) * asuint(step_pixels()));
+    float distance_ = float(reach);
+    int2 at = center_.at;
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y), int(0)));
+    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)), int(0)));
+    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
+    // Beyond the image nothing is.
+    bool4 is_inside = (int4(asint(asuint(last.x) - asuint(at.x)), at.x, asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx);
+    float4 objects = (is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx);
+    float2 rise = (distance_ * center_.plane.rise);
+    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects, float4(a.z, b.z, c.z, d.z), rises, distance_);
+    float4 shares = ((weight * distance_) * neighbor_weights_value);
+    const Ring ring_1 = ConstructRing((shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_));
     return ring_1;
 }
 
+/// Two rings as one.
 Ring joined(Ring a, Ring b)
 {
     const Ring ring_2 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
     return ring_2;
 }
 
-Ring rings_at(Center center_1)
+/// The twelve neighbors one, two and three steps away.
+Ring rings_at(Center center_)
 {
-    const Ring _e3 = ring_at(center_1, int(1), 1.0);
-    const Ring _e6 = ring_at(center_1, int(2), 0.85);
-    const Ring _e7 = joined(_e3, _e6);
-    const Ring _e10 = ring_at(center_1, int(3), 0.5);
-    const Ring _e11 = joined(_e7, _e10);
-    const Ring ring_3 = _e11;
+    const Ring near = joined(ring_at(center_, int(1), 1.0), ring_at(center_, int(2), 0.85));
+    const Ring ring_3 = joined(near, ring_at(center_, int(3), 0.5));
     return ring_3;
 }
 
+/// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
+/// each side counts; 0 where none does.
 float2 derivatives(float4 changes, float4 weights)
 {
+    // A side that hardly counts any more is left to the other one, gradually.
     float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
     float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
     float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
-    const float _e22 = row_direction();
-    return (along * float2(1.0, _e22));
+    return (along * float2(1.0, row_direction()));
 }
 
+/// Mean curvature from the neighbors.
 float mean_curvature(Ring ring)
 {
-    const float2 _e7 = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
-    float _e15 = curvature.viewport_height;
-    return clamp(((0.5 * (_e7.x + _e7.y)) * _e15), -10000.0, 10000.0);
+    const float2 along = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
+    return clamp(((0.5 * (along.x + along.y)) * curvature.viewport_height), -10000.0, 10000.0);
 }
 
 RoughPixel ConstructRoughPixel(float3 arg0, float arg1, float arg2) {
@@ -292,64 +329,68 @@ RoughPixel rough_pixel(int2 at, int level)
     } else {
         local_1 = true;
     }
-    bool _e15 = local_1;
-    if (_e15) {
+    if (local_1) {
         const RoughPixel roughpixel = ConstructRoughPixel((0.0).xxx, 0.0, 0.0);
         return roughpixel;
     }
-    float4 texel_3 = surface.Load(int3(at, int(0)));
+    float4 texel = surface.Load(int3(at, int(0)));
     if ((level == int(1))) {
-        const float3 _e26 = normal_of(texel_3);
-        const RoughPixel roughpixel_1 = ConstructRoughPixel(_e26, abs(texel_3.w), texel_3.z);
+        const RoughPixel roughpixel_1 = ConstructRoughPixel(normal_of(texel), abs(texel.w), texel.z);
         return roughpixel_1;
     }
-    float4 _e33 = normals.Load(int3(at, int(0)));
-    const RoughPixel roughpixel_2 = ConstructRoughPixel(_e33.xyz, abs(texel_3.w), texel_3.z);
+    const RoughPixel roughpixel_2 = ConstructRoughPixel(normals.Load(int3(at, int(0))).xyz, abs(texel.w), texel.z);
     return roughpixel_2;
 }
 
-float3 pairs_of(float3 normal_3, Plane plane_1, int2 at_1, int2 first, int2 second, int level_1)
+/// Sum of the normals of two pairs of neighbors, at both sides of a pixel each; the pixel's own
+/// normal stands in as far as one of a pair does not count. Both offsets, along columns and rows,
+/// are equally long.
+float3 pairs_of(float3 normal, Plane plane, int2 at, int2 first, int2 second, int level)
 {
-    const RoughPixel _e7 = rough_pixel(asint(asuint(at_1) + asuint(first)), level_1);
-    const RoughPixel _e9 = rough_pixel(asint(asuint(at_1) - asuint(first)), level_1);
-    const RoughPixel _e11 = rough_pixel(asint(asuint(at_1) + asuint(second)), level_1);
-    const RoughPixel _e13 = rough_pixel(asint(asuint(at_1) - asuint(second)), level_1);
-    float4 objects_2 = float4(_e7.object, _e9.object, _e11.object, _e13.object);
-    float4 depths_1 = float4(_e7.depth, _e9.depth, _e11.depth, _e13.depth);
-    float2 rise_1 = float2(dot(plane_1.rise, float2(first)), dot(plane_1.rise, float2(second)));
-    float4 rises_2 = float4(rise_1.x, -(rise_1.x), rise_1.y, -(rise_1.y));
-    const float4 _e40 = neighbor_weights(plane_1, objects_2, depths_1, rises_2, length(float2(first)));
-    float2 share = min(_e40.xz, _e40.yw);
-    return ((((share.x * (_e7.normal + _e9.normal)) + (((1.0 - share.x) * 2.0) * normal_3)) + (share.y * (_e11.normal + _e13.normal))) + (((1.0 - share.y) * 2.0) * normal_3));
+    const RoughPixel a = rough_pixel(asint(asuint(at) + asuint(first)), level);
+    const RoughPixel b = rough_pixel(asint(asuint(at) - asuint(first)), level);
+    const RoughPixel c = rough_pixel(asint(asuint(at) + asuint(second)), level);
+    const RoughPixel d = rough_pixel(asint(asuint(at) - asuint(second)), level);
+    float4 objects = float4(a.object, b.object, c.object, d.object);
+    float4 depths = float4(a.depth, b.depth, c.depth, d.depth);
+    float2 rise = float2(dot(plane.rise, float2(first)), dot(plane.rise, float2(second)));
+    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    const float4 weights = neighbor_weights(plane, objects, depths, rises, length(float2(first)));
+    float2 share = min(weights.xz, weights.yw);
+    return ((((share.x * (a.normal + b.normal)) + (((1.0 - share.x) * 2.0) * normal)) + (share.y * (c.normal + d.normal))) + (((1.0 - share.y) * 2.0) * normal));
 }
 
 int naga_neg(int val) {
     return asint(-asuint(val));
 }
 
-float4 smoothed_at(int2 pixel_2, int level_2)
+/// The normal at a pixel, smoothed from neighbors 2^level steps of 1/800 of the picture's height
+/// away, in xyz; the object in w.
+///
+/// Two opposite neighbors count for as much as the lesser of them does. So what one side lacks, at
+/// an outline or where something else lies in front, does not bend the normal toward the other
+/// side.
+float4 smoothed_at(int2 pixel, int level)
 {
-    const SeenPixel _e2 = seen_pixel(pixel_2);
-    int2 at_3 = _e2.at;
-    const RoughPixel _e4 = rough_pixel(at_3, level_2);
-    if ((_e4.object == 0.0)) {
+    int2 at = seen_pixel(pixel).at;
+    const RoughPixel center_ = rough_pixel(at, level);
+    if ((center_.object == 0.0)) {
         return (0.0).xxxx;
     }
-    const Plane _e13 = plane_of(_e4.object, _e4.depth, _e4.normal);
-    const int _e17 = step_pixels();
-    int reach_1 = asint(asuint((int(1) << uint(level_2))) * asuint(_e17));
-    const float3 _e24 = pairs_of(_e4.normal, _e13, at_3, int2(reach_1, int(0)), int2(int(0), reach_1), level_2);
-    const float3 _e29 = pairs_of(_e4.normal, _e13, at_3, (reach_1).xx, int2(reach_1, naga_neg(reach_1)), level_2);
-    float3 sum = (((4.0 * _e4.normal) + (2.0 * _e24)) + _e29);
-    float size_1 = length(sum);
-    float3 normal_4 = ((size_1 > 1e-6) ? (sum / (max(size_1, 1e-6)).xxx) : _e4.normal);
-    return float4(normal_4, (all((at_3 == pixel_2)) ? _e4.object : 0.0));
+    const Plane plane = plane_of(center_.object, center_.depth, center_.normal);
+    int reach = asint(asuint((int(1) << uint(level))) * asuint(step_pixels()));
+    const float3 straight = pairs_of(center_.normal, plane, at, int2(reach, int(0)), int2(int(0), reach), level);
+    const float3 slanted = pairs_of(center_.normal, plane, at, (reach).xx, int2(reach, naga_neg(reach)), level);
+    float3 sum = (((4.0 * center_.normal) + (2.0 * straight)) + slanted);
+    float size = length(sum);
+    float3 normal = ((size > 1e-6) ? (sum / (max(size, 1e-6)).xxx) : center_.normal);
+    // A pixel that has its neighbor's normal shows no object itself.
+    return float4(normal, (all((at == pixel)) ? center_.object : 0.0));
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position
 {
-    const float4 _e1 = whole_picture(index);
-    return _e1;
+    return whole_picture(index);
 }
 
 int2 naga_f2i32(float2 value) {
@@ -359,6 +400,5 @@ int2 naga_f2i32(float2 value) {
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     float4 position = fragmentinput_fs_main.position_1;
-    const float4 _e4 = smoothed_at(naga_f2i32(position.xy), int(3));
-    return _e4;
+    return smoothed_at(naga_f2i32(position.xy), int(3));
 }

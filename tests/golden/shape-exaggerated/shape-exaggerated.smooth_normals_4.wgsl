@@ -21,6 +21,27 @@ fn surface_texel(normal: vec3f, depth: f32, number: f32) -> vec4f {
     return vec4f(slope_of(normal), depth, select(number, -number, normal.z < 0.0));
 }
 
+/// Materials of an object, ids and objects that the numbers of texels tell apart; beyond that many
+/// they repeat.
+const MATERIALS = 32.0;
+const IDS = 128.0;
+const OBJECTS = 4096.0;
+
+/// The number of an object in texels, from 1 on.
+fn object_number(object: f32) -> f32 {
+    return object - OBJECTS * floor(object / OBJECTS) + 1.0;
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+fn facet_number(object: f32, material: f32, id: f32) -> f32 {
+    let whole = round(select(0.0, id, abs(id) <= 1e6));
+    let parts = IDS * (material - MATERIALS * floor(material / MATERIALS))
+        + whole - IDS * floor(whole / IDS);
+    return object_number(object) + parts / (MATERIALS * IDS);
+}
+
 /// The normal that a texel was made from.
 fn normal_of(texel: vec4f) -> vec3f {
     // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;

@@ -6,56 +6,91 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light room;
     Light sun;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec3 position;
     vec3 position_object;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance_;
 };
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance_;
 };
 struct Varyings {
@@ -66,6 +101,8 @@ struct Varyings {
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 const float CELL_REACH = 1.25;
 const Ramp colors_1 = Ramp(vec4[16](vec4(0.0706, 0.1882, 0.4784, 1.0), vec4(0.1216, 0.4784, 0.6902, 1.0), vec4(0.1137, 0.5412, 0.3529, 1.0), vec4(0.9098, 0.6902, 0.1255, 1.0), vec4(0.8471, 0.3255, 0.1098, 1.0), vec4(0.6902, 0.0706, 0.2196, 1.0), vec4(0.3529, 0.102, 0.4784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.22, 0.4, 0.58), vec4(0.75, 0.9, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 2u);
 const ProfileShape through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
@@ -82,10 +119,15 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
@@ -93,509 +135,461 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_6 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_6, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_2 = (u_1.half_sin - 0.0);
-    vec2 upper = ((u_1.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_1.half_cos));
-    vec2 turned = (((s_2 <= 0.0) && (s_2 < u_1.half_cos)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-float bounded(float x_1) {
-    uint bits = floatBitsToUint(x_1);
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_2, float low, float high) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float length_of(vec3 v_3) {
-    float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
-    if ((largest_2 < SMALLEST_NORMAL)) {
+/// The length of v, also where its square would over- or underflow.
+float length_of(vec3 v) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if ((largest < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e16 = bounded((largest_2 * length((v_3 / vec3(largest_2)))));
-    return _e16;
+    return bounded((largest * length((v / vec3(largest)))));
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
-    vec2 d_1 = vec2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-float footprint_of_vec3_(vec3 v_4) {
-    vec3 dx_1 = dFdx(v_4);
-    vec3 dy_1 = dFdy(v_4);
-    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-float footprint_of_vec3_2_(vec3 v_5) {
-    vec3 dx_2 = dFdx(v_5);
-    vec3 dy_2 = dFdy(v_5);
-    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3_2(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
-float step_filtered(float x_4, float edge, float w) {
-    float d_2 = (x_4 - edge);
-    return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w) {
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
-vec4 ramp_at(Ramp ramp, float x_5, float w_1) {
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
     uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
-    vec4 _e8 = colors[0];
-    color = _e8;
+    color = colors[0];
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e38 = i;
-            i = (_e38 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e12 = i;
-        if (!((_e12 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        vec4 _e16 = color;
-        uint _e17 = i;
-        vec4 _e19 = colors[_e17];
-        uint _e20 = i;
-        vec4 _e24 = colors[(_e20 - 1u)];
-        uint _e26 = i;
-        uint _e30 = i;
-        float _e34 = places[(_e26 / 4u)][(_e30 % 4u)];
-        float _e35 = step_filtered(x_5, _e34, w_1);
-        color = (_e16 + ((_e19 - _e24) * _e35));
+        color = (color + ((colors[i] - colors[(i - 1u)]) * step_filtered(x, places[(i / 4u)][(i % 4u)], w)));
     }
-    vec4 _e41 = color;
-    return _e41;
+    return color;
 }
 
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
-    float _e4 = length_of(along_x.xyz);
-    float _e6 = length_of(along_y.xyz);
-    float largest_3 = max(_e4, _e6);
-    if (((largest_3 < 1e-18) || (largest_3 > 1e18))) {
+    float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (((largest < 1e-18) || (largest > 1e18))) {
         return normal;
     }
-    vec3 s_3 = (along_x.xyz / vec3(largest_3));
-    vec3 t_3 = (along_y.xyz / vec3(largest_3));
-    vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_3, normal);
-    vec3 up = cross(normal, s_3);
-    float area = dot(s_3, right);
+    vec3 s = (along_x.xyz / vec3(largest));
+    vec3 t = (along_y.xyz / vec3(largest));
+    vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest)), vec2(-1000000.0), vec2(1000000.0));
+    vec3 right = cross(t, normal);
+    vec3 up = cross(normal, s);
+    float area = dot(s, right);
     if ((abs(area) < 1e-6)) {
         return normal;
     }
     vec3 slope = (((rise.x * right) + (rise.y * up)) / vec3(area));
     float steepness = length(slope);
     vec3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    vec3 _e50 = normalize_or((normal - limited), normal);
-    return _e50;
+    return normalize_or((normal - limited), normal);
 }
 
-vec3 bump_map(float height, float scale, vec3 normal_1, vec3 position) {
+/// Bump map
+///
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
+vec3 bump_map(float height, float scale, vec3 normal, vec3 position) {
     float raised = (height * scale);
-    vec3 _e5 = dFdx(position);
-    float _e6 = dFdx(raised);
-    vec4 along_x_1 = vec4(_e5, _e6);
-    vec3 _e8 = dFdy(position);
-    float _e9 = dFdy(raised);
-    vec4 along_y_1 = vec4(_e8, _e9);
-    vec3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
-    return _e11;
+    vec4 along_x = vec4(dFdx(position), dFdx(raised));
+    vec4 along_y = vec4(dFdy(position), dFdy(raised));
+    return bumped_normal(along_x, along_y, normal);
 }
 
-vec4 blend_add(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
-    return max(vec4((below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz))), 1.0), vec4(0.0));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return max(vec4((below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz))), 1.0), vec4(0.0));
 }
 
-vec4 blend_add_2_(vec4 below_1, vec4 color_2, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+vec4 blend_add_2(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_2, vec4 color_3, float tone_2, float opacity_2, bool clamped_2) {
-    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_4, float tone_3) {
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_4.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_1, vec3 normal_2, vec3 view) {
-    vec3 d_3 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    return Angle((0.5 * length((d_3 - light_1.direction))), (0.5 * length((d_3 + light_1.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1) {
-    float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w_2 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape) {
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_3, ProfileShape shape_2) {
-    vec2 place = vec2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_3 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r = (0.19364917 * w_3);
+    float r = (0.19364917 * w);
     vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_4, ProfileShape shape_3) {
-    vec2 place_1 = vec2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_4 > 0.0) && (w_4 >= (3.4641016 * shape_3.edge_deviation)));
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
+    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
     if ((false || is_narrow)) {
-        float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_4 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point;
     }
-    float r_1 = (0.19364917 * w_4);
-    vec2 turn_1 = vec2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4) {
-    Angle _e6 = angle_turned(angle, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+float profile_balanced(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
-    Angle _e6 = angle_turned(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, vec2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
     return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
-float gradient_dot(uvec3 hash_1, vec3 d) {
-    uint axis = ((hash_1.x >> 8u) % 3u);
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
+float gradient_dot(uvec3 hash, vec3 d) {
+    uint axis = ((hash.x >> 8u) % 3u);
     float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_1) {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - vec3(15.0))) + vec3(10.0)));
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+vec3 fade_quintic(vec3 t) {
+    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
-float perlin_noise(vec3 p, uint seed_2) {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
+    int i = 0;
+    vec3 corner = floor(p);
+    vec3 d = (p - corner);
+    vec3 f = fade_quintic(d);
+    ivec3 cell = ivec3(corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            i = (i + 1);
+        }
+        loop_init = false;
+        if ((i < 8)) {
+        } else {
+            break;
+        }
+        {
+            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)))));
+        }
+    }
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+}
+
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
+Cell nearest_cell(vec3 p, uint seed) {
+    vec3 nearest = vec3(4.0);
+    uvec3 hash = uvec3(0u);
+    int i = 0;
+    float border = 0.0;
     int i_1 = 0;
     vec3 corner = floor(p);
-    vec3 d_4 = (p - corner);
-    vec3 _e4 = fade_quintic(d_4);
-    ivec3 cell_1 = ivec3(corner);
+    vec3 d = (p - corner);
+    ivec3 cell = ivec3(corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            i = (i + 1);
+        }
+        loop_init = false;
+        if ((i < 27)) {
+        } else {
+            break;
+        }
+        {
+            ivec3 at = ivec3(((i % 3) - 1), (((i / 3) % 3) - 1), ((i / 9) - 1));
+            uvec3 own = lattice_hash((cell + at), seed);
+            vec3 offset = (((vec3(at) + vec3(0.25)) + (0.5 * unit_of_hash(own))) - d);
+            if ((dot(offset, offset) < dot(nearest, nearest))) {
+                nearest = offset;
+                hash = own;
+            }
+        }
+    }
+    float distance_ = length(nearest);
+    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e46 = i_1;
-            i_1 = (_e46 + 1);
+            i_1 = (i_1 + 1);
         }
         loop_init_1 = false;
-        int _e10 = i_1;
-        if ((_e10 < 8)) {
+        if ((i_1 < 27)) {
         } else {
             break;
         }
         {
-            int _e13 = i_1;
-            int _e16 = i_1;
-            int _e21 = i_1;
-            ivec3 at = ivec3((_e13 & 1), ((_e16 >> 1u) & 1), (_e21 >> 2u));
-            vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at, ivec3(1)));
-            float _e32 = sum;
-            uvec3 _e39 = lattice_hash((cell_1 + at), seed_2);
-            float _e42 = gradient_dot(_e39, (d_4 - vec3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
-        }
-    }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
-}
-
-Cell nearest_cell(vec3 p_1, uint seed_3) {
-    vec3 nearest = vec3(4.0);
-    uvec3 hash_2 = uvec3(0u);
-    int i_2 = 0;
-    float border = 0.0;
-    int i_3 = 0;
-    vec3 corner_1 = floor(p_1);
-    vec3 d_5 = (p_1 - corner_1);
-    ivec3 cell_2 = ivec3(corner_1);
-    bool loop_init_2 = true;
-    while(true) {
-        if (!loop_init_2) {
-            int _e51 = i_2;
-            i_2 = (_e51 + 1);
-        }
-        loop_init_2 = false;
-        int _e13 = i_2;
-        if ((_e13 < 27)) {
-        } else {
-            break;
-        }
-        {
-            int _e16 = i_2;
-            int _e21 = i_2;
-            int _e28 = i_2;
-            ivec3 at_1 = ivec3(((_e16 % 3) - 1), (((_e21 / 3) % 3) - 1), ((_e28 / 9) - 1));
-            uvec3 _e35 = lattice_hash((cell_2 + at_1), seed_3);
-            vec3 _e40 = unit_of_hash(_e35);
-            vec3 offset = (((vec3(at_1) + vec3(0.25)) + (0.5 * _e40)) - d_5);
-            vec3 _e46 = nearest;
-            vec3 _e47 = nearest;
-            if ((dot(offset, offset) < dot(_e46, _e47))) {
-                nearest = offset;
-                hash_2 = _e35;
-            }
-        }
-    }
-    vec3 _e53 = nearest;
-    float distance_ = length(_e53);
-    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
-    bool loop_init_3 = true;
-    while(true) {
-        if (!loop_init_3) {
-            int _e110 = i_3;
-            i_3 = (_e110 + 1);
-        }
-        loop_init_3 = false;
-        int _e64 = i_3;
-        if ((_e64 < 27)) {
-        } else {
-            break;
-        }
-        {
-            int _e67 = i_3;
-            int _e72 = i_3;
-            int _e79 = i_3;
-            ivec3 at_2 = ivec3(((_e67 % 3) - 1), (((_e72 / 3) % 3) - 1), ((_e79 / 9) - 1));
-            uvec3 _e90 = lattice_hash((cell_2 + at_2), seed_3);
-            vec3 _e91 = unit_of_hash(_e90);
-            vec3 _e96 = nearest;
-            vec3 apart = ((((vec3(at_2) + vec3(0.25)) + (0.5 * _e91)) - d_5) - _e96);
+            ivec3 at_1 = ivec3(((i_1 % 3) - 1), (((i_1 / 3) % 3) - 1), ((i_1 / 9) - 1));
+            vec3 apart = ((((vec3(at_1) + vec3(0.25)) + (0.5 * unit_of_hash(lattice_hash((cell + at_1), seed)))) - d) - nearest);
             float between = length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if ((between > 0.25)) {
-                float _e101 = border;
-                vec3 _e102 = nearest;
-                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
             }
         }
     }
-    float _e112 = border;
-    uvec3 _e115 = hash_2;
-    uvec3 _e116 = hash_pcg3d(_e115);
-    vec3 _e117 = unit_of_hash(_e116);
-    return Cell(max(_e112, 0.0), _e117.x, distance_);
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
 }
 
-float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_4, float w_5) {
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i_4 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
-    bool loop_init_4 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_4) {
-            int _e66 = i_4;
-            i_4 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_4 = false;
-        int _e17 = i_4;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased((w_5 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_4;
-            vec3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_4;
-            float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
-            octave = mix(0.5, _e50, visible);
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
-Cells cells(vec3 position_1, float scale_1, int seed_5) {
-    vec3 p_3 = clamp((position_1 * scale_1), vec3(-4194304.0), vec3(4194304.0));
-    Cell _e10 = nearest_cell(p_3, 4u);
-    float _e11 = footprint_of_vec3_2_(p_3);
-    float visible_1 = (1.0 - smoothstep(0.5, 1.0, _e11));
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
+Cells cells(vec3 position, float scale, int seed) {
+    vec3 p = clamp((position * scale), vec3(-4194304.0), vec3(4194304.0));
+    Cell cell = nearest_cell(p, 4u);
+    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p)));
     vec3 average = vec3(0.1301, 0.5, 0.491);
-    vec3 seen = mix(average, vec3(_e10.border, _e10.random, _e10.distance_), visible_1);
+    vec3 seen = mix(average, vec3(cell.border, cell.random, cell.distance_), visible);
     return Cells(seen.x, seen.y, seen.z);
 }
 
-float noise_perlin(vec3 position_2, float scale_2, int octaves_1, float roughness_1, int seed_6) {
-    vec3 p_4 = (position_2 * scale_2);
-    float _e7 = footprint_of_vec3_(p_4);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
-    return _e8;
+float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Cells _e4 = cells(surface.position_object, 3.4, 4);
-    float _e8 = footprint_of(_e4.random);
-    vec4 _e9 = ramp_at(colors_1, _e4.random, _e8);
-    vec4 _e18 = blend_add(vec4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    float _e24 = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
-    vec3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
-    vec3 _e32 = u_look.sun.direction;
-    vec3 _e40 = u_look.sun.direction;
-    Angle sun_turn = Angle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
-    float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    vec4 _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
-    vec3 _e55 = u_look.room.direction;
-    vec3 _e63 = u_look.room.direction;
-    Angle room_turn = Angle((0.5 * length((_e28 - _e55))), (0.5 * length((_e28 + _e63))));
-    float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    vec4 _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
-    float _e78 = footprint_of(_e4.border);
-    float _e82 = step_filtered(_e4.border, 0.035, length(vec2(_e78, 0.0)));
-    float leading = (1.0 - _e82);
-    vec4 leading_2_ = clamp(vec4((_e74.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - _e74.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Light _e103 = u_look.room;
-    Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
-    float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
-    Light _e111 = u_look.room;
-    LitLayer _e117 = light_apply(_e111, vec4(1.0, 0.9647, 0.8941, 1.0), _e108);
-    vec4 _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
-    Light _e125 = u_look.room;
-    Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
-    float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
-    Light _e134 = u_look.room;
-    LitLayer _e140 = light_apply(_e134, vec4(0.1725, 0.1843, 0.2196, 1.0), _e131);
-    vec4 _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
-    return _e145;
+    Cells panes = cells(surface.position_object, 3.4, 4);
+    vec4 colors_2 = ramp_at(colors_1, panes.random, footprint_of(panes.random));
+    vec4 glass_in_shade = blend_add(vec4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
+    float wavering_glass = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
+    vec3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
+    Angle sun_turn = Angle((0.5 * length((glass - u_look.sun.direction))), (0.5 * length((glass + u_look.sun.direction))));
+    float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
+    vec4 light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
+    Angle room_turn = Angle((0.5 * length((glass - u_look.room.direction))), (0.5 * length((glass + u_look.room.direction))));
+    float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    vec4 light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
+    float seam = step_filtered(panes.border, 0.035, length(vec2(footprint_of(panes.border), 0.0)));
+    float leading = (1.0 - seam);
+    vec4 leading_2 = clamp(vec4((light_on_it.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Angle gleam_angle = parametrization_specular_balanced(u_look.room, glass, surface.view);
+    float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
+    LitLayer gleam_lit = light_apply(u_look.room, vec4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
+    vec4 gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
+    Angle edge_of_the_lead_angle = parametrization_specular_balanced(u_look.room, surface.normal, surface.view);
+    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
+    LitLayer edge_of_the_lead_lit = light_apply(u_look.room, vec4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
+    vec4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+    return edge_of_the_lead_blend;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_3 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    Surface surface_1 = Surface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object);
-    vec4 _e21 = shade(surface_1);
-    out_color = _e21;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position, in_.position_object);
+    out_color = shade(surface);
     return;
 }
 

@@ -1,39 +1,47 @@
 // Stained glass: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // stained-glass.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light room;
     Light sun;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -45,48 +53,75 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance_;
 };
 
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance_;
 };
 
@@ -102,50 +137,18 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 static const float CELL_REACH = 1.25;
-static const Ramp colors_1 = ConstructRamp(Constructarray16_float4_(float4(0.0706, 0.1882, 0.4784, 1.0), float4(0.1216, 0.4784, 0.6902, 1.0), float4(0.1137, 0.5412, 0.3529, 1.0), float4(0.9098, 0.6902, 0.1255, 1.0), float4(0.8471, 0.3255, 0.1098, 1.0), float4(0.6902, 0.0706, 0.2196, 1.0), float4(0.3529, 0.102, 0.4784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.22, 0.4, 0.58), float4(0.75, 0.9, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx), 7u, 2u);
-static const ProfileShape through_the_glass_shape = ConstructProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
-static const ProfileShape on_the_glass_shape = ConstructProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-static const ProfileShape gleam_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u);
-static const ProfileShape edge_of_the_lead_tone_shape = ConstructProfileShape(0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
+static const Ramp colors_1 = {{float4(0.0706, 0.1882, 0.4784, 1.0), float4(0.1216, 0.4784, 0.6902, 1.0), float4(0.1137, 0.5412, 0.3529, 1.0), float4(0.9098, 0.6902, 0.1255, 1.0), float4(0.8471, 0.3255, 0.1098, 1.0), float4(0.6902, 0.0706, 0.2196, 1.0), float4(0.3529, 0.102, 0.4784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.22, 0.4, 0.58), float4(0.75, 0.9, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 2u};
+static const ProfileShape through_the_glass_shape = {0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
+static const ProfileShape on_the_glass_shape = {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
+static const ProfileShape gleam_tone_shape = {0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u};
+static const ProfileShape edge_of_the_lead_tone_shape = {0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -164,11 +167,16 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(float x)
 {
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -177,32 +185,37 @@ float3 normalize_or(float3 v, float3 otherwise)
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_6 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_6, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -212,68 +225,74 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_2 = (u_1.half_sin - 0.0);
-    float2 upper = ((u_1.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_1.half_cos));
-    float2 turned = (((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? float2(0.0, 1.0) : upper);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float eased(float x_2, float low, float high)
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high)
 {
-    const float _e3 = bounded(x_2);
-    const float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_2 = clamp(_e7, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float length_of(float3 v_3)
+/// The length of v, also where its square would over- or underflow.
+float length_of(float3 v)
 {
-    float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
-    if ((largest_2 < SMALLEST_NORMAL)) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if ((largest < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e16 = bounded((largest_2 * length((v_3 / (largest_2).xxx))));
-    return _e16;
+    return bounded((largest * length((v / (largest).xxx))));
 }
 
-float footprint_of(float x_3)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
-    float2 d_1 = float2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+    float2 d = float2(ddx(x), ddy(x));
+    return sqrt(dot(d, d));
 }
 
-float footprint_of_vec3_(float3 v_4)
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(float3 v)
 {
-    float3 dx_1 = ddx(v_4);
-    float3 dy_1 = ddy(v_4);
-    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
-    return _e7;
+    float3 dx = ddx(v);
+    float3 dy = ddy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-float footprint_of_vec3_2_(float3 v_5)
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3_2(float3 v)
 {
-    float3 dx_2 = ddx(v_5);
-    float3 dy_2 = ddy(v_5);
-    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+    float3 dx = ddx(v);
+    float3 dy = ddy(v);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
-float step_filtered(float x_4, float edge, float w)
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w)
 {
-    float d_2 = (x_4 - edge);
-    return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -284,96 +303,89 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_5, float w_1)
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = (float4[16])0;
-    float4 places[4] = (float4[4])0;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
     uint i = 1u;
 
     colors = ramp.colors;
     places = ramp.places;
-    float4 _e8 = colors[0];
-    color = _e8;
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    color = colors[0];
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e38 = i;
-            i = (_e38 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e12 = i;
-        if (!((_e12 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        float4 _e16 = color;
-        uint _e17 = i;
-        float4 _e19 = colors[min(uint(_e17), 15u)];
-        uint _e20 = i;
-        float4 _e24 = colors[min(uint((_e20 - 1u)), 15u)];
-        uint _e26 = i;
-        uint _e30 = i;
-        float _e34 = places[min(uint(naga_div(_e26, 4u)), 3u)][min(uint(naga_mod(_e30, 4u)), 3u)];
-        const float _e35 = step_filtered(x_5, _e34, w_1);
-        color = (_e16 + ((_e19 - _e24) * _e35));
+        const float step_filtered_value = step_filtered(x, places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
+        color = (color + ((colors[min(uint(i), 15u)] - colors[min(uint((i - 1u)), 15u)]) * step_filtered_value));
     }
-    float4 _e41 = color;
-    return _e41;
+    return color;
 }
 
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 {
-    const float _e4 = length_of(along_x.xyz);
-    const float _e6 = length_of(along_y.xyz);
-    float largest_3 = max(_e4, _e6);
-    if (((largest_3 < 1e-18) | (largest_3 > 1e18))) {
+    float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (((largest < 1e-18) | (largest > 1e18))) {
         return normal;
     }
-    float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_3 = (along_y.xyz / (largest_3).xxx);
-    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_3, normal);
-    float3 up = cross(normal, s_3);
-    float area = dot(s_3, right);
+    float3 s = (along_x.xyz / (largest).xxx);
+    float3 t = (along_y.xyz / (largest).xxx);
+    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest).xx), (-1000000.0).xx, (1000000.0).xx);
+    float3 right = cross(t, normal);
+    float3 up = cross(normal, s);
+    float area = dot(s, right);
     if ((abs(area) < 1e-6)) {
         return normal;
     }
     float3 slope = (((rise.x * right) + (rise.y * up)) / (area).xxx);
     float steepness = length(slope);
     float3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    const float3 _e50 = normalize_or((normal - limited), normal);
-    return _e50;
+    return normalize_or((normal - limited), normal);
 }
 
-float3 bump_map(float height, float scale, float3 normal_1, float3 position)
+/// Bump map
+///
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
+float3 bump_map(float height, float scale, float3 normal, float3 position)
 {
     float raised = (height * scale);
-    float3 _e5 = ddx(position);
-    float _e6 = ddx(raised);
-    float4 along_x_1 = float4(_e5, _e6);
-    float3 _e8 = ddy(position);
-    float _e9 = ddy(raised);
-    float4 along_y_1 = float4(_e8, _e9);
-    const float3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
-    return _e11;
+    float4 along_x = float4(ddx(position), ddx(raised));
+    float4 along_y = float4(ddy(position), ddy(raised));
+    return bumped_normal(along_x, along_y, normal);
 }
 
-float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool clamped)
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return max(float4((below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz))), 1.0), (0.0).xxxx);
+    return max(float4((below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz))), 1.0), (0.0).xxxx);
 }
 
-float4 blend_add_2_(float4 below_1, float4 color_2, float tone_1, float opacity_1, bool clamped_1)
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+float4 blend_add_2(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_alpha(float4 below_2, float4 color_3, float tone_2, float opacity_2, bool clamped_2)
+float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -383,185 +395,167 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_4, float tone_3)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_4.xyz * light.color) * split.y), 1.0), (tone_3 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_specular_balanced(Light light_1, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d_3 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d_3 - light_1.direction))), (0.5 * length((d_3 + light_1.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_3;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w_2, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w_2 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_3, ProfileShape shape_2)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset)), ((u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset)));
-    const float _e19 = profile_soft_quick(place.x, shape_2);
-    if ((w_3 < (0.1 * shape_2.edge_deviation))) {
-        return _e19;
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_3);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e45 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_2);
-    const float _e53 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_2);
-    return ((((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_quick_2_(Angle u_3, float w_4, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place_1 = float2(((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset)), ((u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_4 > 0.0) & (w_4 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if ((w_4 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r_1 = (0.19364917 * w_4);
-    float2 turn_1 = float2((r_1 * (1.0 - ((0.16666667 * r_1) * r_1))), (1.0 - ((0.5 * r_1) * r_1)));
-    const float _e56 = profile_soft_quick(((place_1.x * turn_1.y) - (place_1.y * turn_1.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place_1.x * turn_1.y) + (place_1.y * turn_1.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    float r = (0.19364917 * w);
+    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    const Angle warped = angle_turned(angle, float2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_6 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_6;
-    uint3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_6;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
     return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
 }
 
-uint3 lattice_hash(int3 cell, uint seed_1)
+/// The hash of a lattice point.
+uint3 lattice_hash(int3 cell, uint seed)
 {
-    const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
 }
 
-float gradient_dot(uint3 hash_1, float3 d)
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
+float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash_1.x >> 8u), 3u);
+    uint axis = naga_mod((hash.x >> 8u), 3u);
     float a = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-float3 fade_quintic(float3 t_1)
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+float3 fade_quintic(float3 t)
 {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float perlin_noise(float3 p, uint seed_2)
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i_1 = int(0);
+    int i = int(0);
 
     float3 corner = floor(p);
-    float3 d_4 = (p - corner);
-    const float3 _e4 = fade_quintic(d_4);
-    int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    float3 d = (p - corner);
+    const float3 f = fade_quintic(d);
+    int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e46 = i_1;
-            i_1 = asint(asuint(_e46) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e10 = i_1;
-        if ((_e10 < int(8))) {
+        loop_init = false;
+        if ((i < int(8))) {
         } else {
             break;
         }
         {
-            int _e13 = i_1;
-            int _e16 = i_1;
-            int _e21 = i_1;
-            int3 at = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_4 - float3(at)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -581,140 +575,104 @@ Cell ConstructCell(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-Cell nearest_cell(float3 p_1, uint seed_3)
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
+Cell nearest_cell(float3 p, uint seed)
 {
     float3 nearest = (4.0).xxx;
-    uint3 hash_2 = (0u).xxx;
-    int i_2 = int(0);
+    uint3 hash = (0u).xxx;
+    int i = int(0);
     float border = (float)0;
-    int i_3 = int(0);
+    int i_1 = int(0);
 
-    float3 corner_1 = floor(p_1);
-    float3 d_5 = (p_1 - corner_1);
-    int3 cell_2 = naga_f2i32(corner_1);
-    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
-    bool loop_init_2 = true;
+    float3 corner = floor(p);
+    float3 d = (p - corner);
+    int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e51 = i_2;
-            i_2 = asint(asuint(_e51) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_2 = false;
-        int _e13 = i_2;
-        if ((_e13 < int(27))) {
+        loop_init = false;
+        if ((i < int(27))) {
         } else {
             break;
         }
         {
-            int _e16 = i_2;
-            int _e21 = i_2;
-            int _e28 = i_2;
-            int3 at_1 = int3(asint(asuint(naga_mod(_e16, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e21, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e28, int(9))) - asuint(int(1))));
-            const uint3 _e35 = lattice_hash(asint(asuint(cell_2) + asuint(at_1)), seed_3);
-            const float3 _e40 = unit_of_hash(_e35);
-            float3 offset = (((float3(at_1) + (0.25).xxx) + (0.5 * _e40)) - d_5);
-            float3 _e46 = nearest;
-            float3 _e47 = nearest;
-            if ((dot(offset, offset) < dot(_e46, _e47))) {
+            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+            const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
+            float3 offset = (((float3(at) + (0.25).xxx) + (0.5 * unit_of_hash(own))) - d);
+            if ((dot(offset, offset) < dot(nearest, nearest))) {
                 nearest = offset;
-                hash_2 = _e35;
+                hash = own;
             }
         }
     }
-    float3 _e53 = nearest;
-    float distance_ = length(_e53);
+    float distance_ = length(nearest);
     border = max((0.5 * (CELL_REACH - distance_)), 0.0);
-    uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
-    bool loop_init_3 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e110 = i_3;
-            i_3 = asint(asuint(_e110) + asuint(int(1)));
+        if (!loop_init_1) {
+            i_1 = asint(asuint(i_1) + asuint(int(1)));
         }
-        loop_init_3 = false;
-        int _e64 = i_3;
-        if ((_e64 < int(27))) {
+        loop_init_1 = false;
+        if ((i_1 < int(27))) {
         } else {
             break;
         }
         {
-            int _e67 = i_3;
-            int _e72 = i_3;
-            int _e79 = i_3;
-            int3 at_2 = int3(asint(asuint(naga_mod(_e67, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e72, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e79, int(9))) - asuint(int(1))));
-            const uint3 _e90 = lattice_hash(asint(asuint(cell_2) + asuint(at_2)), seed_3);
-            const float3 _e91 = unit_of_hash(_e90);
-            float3 _e96 = nearest;
-            float3 apart = ((((float3(at_2) + (0.25).xxx) + (0.5 * _e91)) - d_5) - _e96);
+            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell) + asuint(at_1)), seed));
+            float3 apart = ((((float3(at_1) + (0.25).xxx) + (0.5 * unit_of_hash_value)) - d) - nearest);
             float between = length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if ((between > 0.25)) {
-                float _e101 = border;
-                float3 _e102 = nearest;
-                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
             }
         }
     }
-    float _e112 = border;
-    uint3 _e115 = hash_2;
-    const uint3 _e116 = hash_pcg3d(_e115);
-    const float3 _e117 = unit_of_hash(_e116);
-    const Cell cell_3 = ConstructCell(max(_e112, 0.0), _e117.x, distance_);
-    return cell_3;
+    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return cell_1;
 }
 
-float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int seed_4, float w_5)
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i_4 = int(0);
+    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
+    float sum = 0.0;
 
-    uint2 loop_bound_4 = uint2(4294967295u, 4294967295u);
-    bool loop_init_4 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_4 == uint2(0u, 0u))) { break; }
-        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
-        if (!loop_init_4) {
-            int _e66 = i_4;
-            i_4 = asint(asuint(_e66) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_4 = false;
-        int _e17 = i_4;
-        if (!((_e17 < int(2)))) {
+        loop_init = false;
+        if (!((i < int(2)))) {
             break;
         }
-        float _e21 = frequency;
-        const float _e25 = eased((w_5 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_4;
-            float3 place_2 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            int _e47 = i_4;
-            const float _e50 = perlin_noise(place_2, (0u + uint(_e47)));
-            octave = lerp(0.5, _e50, visible);
+            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_1;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
 Cells ConstructCells(float arg0, float arg1, float arg2) {
@@ -725,61 +683,54 @@ Cells ConstructCells(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-Cells cells(float3 position_1, float scale_1, int seed_5)
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
+Cells cells(float3 position, float scale, int seed)
 {
-    float3 p_3 = clamp((position_1 * scale_1), (-4194304.0).xxx, (4194304.0).xxx);
-    const Cell _e10 = nearest_cell(p_3, 4u);
-    const float _e11 = footprint_of_vec3_2_(p_3);
-    float visible_1 = (1.0 - smoothstep(0.5, 1.0, _e11));
+    float3 p = clamp((position * scale), (-4194304.0).xxx, (4194304.0).xxx);
+    const Cell cell = nearest_cell(p, 4u);
+    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p)));
     float3 average = float3(0.1301, 0.5, 0.491);
-    float3 seen = lerp(average, float3(_e10.border, _e10.random, _e10.distance_), visible_1);
+    float3 seen = lerp(average, float3(cell.border, cell.random, cell.distance_), visible);
     const Cells cells_1 = ConstructCells(seen.x, seen.y, seen.z);
     return cells_1;
 }
 
-float noise_perlin(float3 position_2, float scale_2, int octaves_1, float roughness_1, int seed_6)
+float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p_4 = (position_2 * scale_2);
-    const float _e7 = footprint_of_vec3_(p_4);
-    const float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
-    return _e8;
+    float3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const Cells _e4 = cells(surface.position_object, 3.4, int(4));
-    const float _e8 = footprint_of(_e4.random);
-    const float4 _e9 = ramp_at(colors_1, _e4.random, _e8);
-    const float4 _e18 = blend_add(float4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    const float _e24 = noise_perlin(surface.position_object, 5.0, int(2), 0.5, int(0));
-    const float3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
-    float3 _e32 = look.sun.direction;
-    float3 _e40 = look.sun.direction;
-    Angle sun_turn = ConstructAngle((0.5 * length((_e28 - _e32))), (0.5 * length((_e28 + _e40))));
-    const float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    const float4 _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
-    float3 _e55 = look.room.direction;
-    float3 _e63 = look.room.direction;
-    Angle room_turn = ConstructAngle((0.5 * length((_e28 - _e55))), (0.5 * length((_e28 + _e63))));
-    const float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    const float4 _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
-    const float _e78 = footprint_of(_e4.border);
-    const float _e82 = step_filtered(_e4.border, 0.035, length(float2(_e78, 0.0)));
-    float leading = (1.0 - _e82);
-    float4 leading_2_ = clamp(float4((_e74.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - _e74.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e103 = look.room;
-    const Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
-    const float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
-    Light _e111 = look.room;
-    const LitLayer _e117 = light_apply(_e111, float4(1.0, 0.9647, 0.8941, 1.0), _e108);
-    const float4 _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
-    Light _e125 = look.room;
-    const Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
-    const float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
-    Light _e134 = look.room;
-    const LitLayer _e140 = light_apply(_e134, float4(0.1725, 0.1843, 0.2196, 1.0), _e131);
-    const float4 _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
-    return _e145;
+    const Cells panes = cells(surface.position_object, 3.4, int(4));
+    const float4 colors_2 = ramp_at(colors_1, panes.random, footprint_of(panes.random));
+    const float4 glass_in_shade = blend_add(float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
+    const float wavering_glass = noise_perlin(surface.position_object, 5.0, int(2), 0.5, int(0));
+    const float3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
+    Angle sun_turn = ConstructAngle((0.5 * length((glass - look.sun.direction))), (0.5 * length((glass + look.sun.direction))));
+    const float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
+    const float4 light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
+    Angle room_turn = ConstructAngle((0.5 * length((glass - look.room.direction))), (0.5 * length((glass + look.room.direction))));
+    const float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    const float4 light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
+    const float seam = step_filtered(panes.border, 0.035, length(float2(footprint_of(panes.border), 0.0)));
+    float leading = (1.0 - seam);
+    float4 leading_2 = clamp(float4((light_on_it.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const Angle gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
+    const float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
+    const LitLayer gleam_lit = light_apply(look.room, float4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
+    const float4 gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
+    const Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
+    const float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
+    const LitLayer edge_of_the_lead_lit = light_apply(look.room, float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
+    const float4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+    return edge_of_the_lead_blend;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
@@ -793,11 +744,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e16 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -815,11 +763,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_4, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_5 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = ConstructSurface(normal_5, normalize((_e8.xyz - (_e13 * in_.position))), in_.position, in_.position_object);
-    const float4 _e21 = shade(surface_1);
-    return _e21;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position, in_.position_object);
+    return shade(surface);
 }

@@ -1,6 +1,6 @@
 // Stained glass: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // stained-glass.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,25 +13,33 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light room;
     Light sun;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -40,8 +48,12 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 struct type_5 {
@@ -50,36 +62,59 @@ struct type_5 {
 struct type_6 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_5 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_6 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
 struct LitLayer {
+    /// The color under this light.
     Color color;
+    /// The tone under this light.
     float tone;
     char _pad2[12];
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Cell {
+    /// The distance to the nearest border, in cells.
     float border;
+    /// A random number of the cell, in [0, 1).
     float random;
+    /// The distance to the cell's point.
     float distance;
 };
 struct Cells {
+    /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
+    /// A number from 0 to 1 that is the same all over a cell.
     float random;
+    /// The distance to the cell's middle, in cells.
     float distance;
 };
 struct Vertex {
@@ -94,6 +129,8 @@ struct Varyings {
 };
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 constant float CELL_REACH = 1.25;
 constant Ramp colors_1 = Ramp {type_5 {{metal::float4(0.0706, 0.1882, 0.4784, 1.0), metal::float4(0.1216, 0.4784, 0.6902, 1.0), metal::float4(0.1137, 0.5412, 0.3529, 1.0), metal::float4(0.9098, 0.6902, 0.1255, 1.0), metal::float4(0.8471, 0.3255, 0.1098, 1.0), metal::float4(0.6902, 0.0706, 0.2196, 1.0), metal::float4(0.3529, 0.102, 0.4784, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.22, 0.4, 0.58), metal::float4(0.75, 0.9, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 2u};
 constant ProfileShape through_the_glass_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
@@ -101,12 +138,17 @@ constant ProfileShape on_the_glass_shape = ProfileShape {0.99875027, 0.04997917,
 constant ProfileShape gleam_tone_shape = ProfileShape {0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u};
 constant ProfileShape edge_of_the_lead_tone_shape = ProfileShape {0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
 
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 bool is_finite(
     float x
 ) {
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
@@ -117,112 +159,123 @@ metal::float3 normalize_or(
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e20 = is_finite(square);
-    if (!(_e20)) {
+    // max() passes over a NaN.
+    if (!(is_finite(square))) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(
     Angle u
 ) {
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_6 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_6, 0.5);
+    float w = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w, 0.5);
 }
 
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(
-    Angle u_1,
+    Angle u,
     metal::float2 t
 ) {
-    float s_2 = u_1.half_sin - 0.0;
-    metal::float2 upper = (u_1.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, u_1.half_cos);
-    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < u_1.half_cos)) ? metal::float2(0.0, 1.0) : upper;
+    float s = u.half_sin - 0.0;
+    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
-    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_2,
+    float x,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded((_e3 - low) / 0.5);
-    float t_2 = metal::clamp(_e7, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+    float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// The length of v, also where its square would over- or underflow.
 float length_of(
-    metal::float3 v_3
+    metal::float3 v
 ) {
-    float largest_2 = metal::max(metal::max(metal::abs(v_3.x), metal::abs(v_3.y)), metal::abs(v_3.z));
-    if (largest_2 < SMALLEST_NORMAL) {
+    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
+    if (largest < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e16 = bounded(largest_2 * metal::length(v_3 / metal::float3(largest_2)));
-    return _e16;
+    return bounded(largest * metal::length(v / metal::float3(largest)));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_3
+    float x
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_1, d_1));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
-float footprint_of_vec3_(
-    metal::float3 v_4
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(
+    metal::float3 v
 ) {
-    metal::float3 dx_1 = metal::dfdx(v_4);
-    metal::float3 dy_1 = metal::dfdy(v_4);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
-    return _e7;
+    metal::float3 dx = metal::dfdx(v);
+    metal::float3 dy = metal::dfdy(v);
+    return bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
 }
 
-float footprint_of_vec3_2_(
-    metal::float3 v_5
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3_2(
+    metal::float3 v
 ) {
-    metal::float3 dx_2 = metal::dfdx(v_5);
-    metal::float3 dy_2 = metal::dfdy(v_5);
-    return metal::sqrt(metal::max(metal::dot(dx_2, dx_2), metal::dot(dy_2, dy_2)));
+    metal::float3 dx = metal::dfdx(v);
+    metal::float3 dy = metal::dfdy(v);
+    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
 }
 
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(
-    float x_4,
+    float x,
     float edge,
     float w
 ) {
-    float d_2 = x_4 - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
+    float d = x - edge;
+    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -233,10 +286,12 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 Color ramp_at(
     Ramp ramp,
-    float x_5,
-    float w_1
+    float x,
+    float w
 ) {
     type_5 colors = {};
     type_6 places = {};
@@ -244,129 +299,125 @@ Color ramp_at(
     uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
-    metal::float4 _e8 = colors.inner[0];
-    color = _e8;
-    uint2 loop_bound = uint2(4294967295u);
+    color = colors.inner[0];
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e38 = i;
-            i = _e38 + 1u;
+            i = i + 1u;
         }
         loop_init = false;
-        uint _e12 = i;
-        if (!((_e12 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        metal::float4 _e16 = color;
-        uint _e17 = i;
-        metal::float4 _e19 = colors.inner[_e17];
-        uint _e20 = i;
-        metal::float4 _e24 = colors.inner[_e20 - 1u];
-        uint _e26 = i;
-        uint _e30 = i;
-        float _e34 = places.inner[naga_div(_e26, 4u)][naga_mod(_e30, 4u)];
-        float _e35 = step_filtered(x_5, _e34, w_1);
-        color = _e16 + ((_e19 - _e24) * _e35);
+        float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
+        color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value);
     }
-    metal::float4 _e41 = color;
-    return _e41;
+    return color;
 }
 
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 metal::float3 bumped_normal(
     metal::float4 along_x,
     metal::float4 along_y,
     metal::float3 normal
 ) {
-    float _e4 = length_of(along_x.xyz);
-    float _e6 = length_of(along_y.xyz);
-    float largest_3 = metal::max(_e4, _e6);
-    if ((largest_3 < 0.000000000000000001) | (largest_3 > 1000000000000000000.0)) {
+    float largest = metal::max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if ((largest < 0.000000000000000001) | (largest > 1000000000000000000.0)) {
         return normal;
     }
-    metal::float3 s_3 = along_x.xyz / metal::float3(largest_3);
-    metal::float3 t_3 = along_y.xyz / metal::float3(largest_3);
-    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_3, normal);
-    metal::float3 up = metal::cross(normal, s_3);
-    float area = metal::dot(s_3, right);
+    metal::float3 s = along_x.xyz / metal::float3(largest);
+    metal::float3 t = along_y.xyz / metal::float3(largest);
+    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest), metal::float2(-1000000.0), metal::float2(1000000.0));
+    metal::float3 right = metal::cross(t, normal);
+    metal::float3 up = metal::cross(normal, s);
+    float area = metal::dot(s, right);
     if (metal::abs(area) < 0.000001) {
         return normal;
     }
     metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
     float steepness = metal::length(slope);
     metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
-    metal::float3 _e50 = normalize_or(normal - limited, normal);
-    return _e50;
+    return normalize_or(normal - limited, normal);
 }
 
+/// Bump map
+///
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
 metal::float3 bump_map(
     float height,
     float scale,
-    metal::float3 normal_1,
+    metal::float3 normal,
     metal::float3 position
 ) {
     float raised = height * scale;
-    metal::float3 _e5 = metal::dfdx(position);
-    float _e6 = metal::dfdx(raised);
-    metal::float4 along_x_1 = metal::float4(_e5, _e6);
-    metal::float3 _e8 = metal::dfdy(position);
-    float _e9 = metal::dfdy(raised);
-    metal::float4 along_y_1 = metal::float4(_e8, _e9);
-    metal::float3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
-    return _e11;
+    metal::float4 along_x = metal::float4(metal::dfdx(position), metal::dfdx(raised));
+    metal::float4 along_y = metal::float4(metal::dfdy(position), metal::dfdy(raised));
+    return bumped_normal(along_x, along_y, normal);
 }
 
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 Composite blend_add(
     Composite below,
-    Color color_1,
+    Color color,
     float tone,
     float opacity,
     bool clamped
 ) {
-    return metal::max(metal::float4(below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz)), 1.0), metal::float4(0.0));
+    return metal::max(metal::float4(below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz)), 1.0), metal::float4(0.0));
 }
 
-Composite blend_add_2_(
-    Composite below_1,
-    Color color_2,
-    float tone_1,
-    float opacity_1,
-    bool clamped_1
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+Composite blend_add_2(
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * color_2.xyz)) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_alpha(
-    Composite below_2,
-    Color color_3,
-    float tone_2,
-    float opacity_2,
-    bool clamped_2
+    Composite below,
+    Color color,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz + (tone_2 * (color_3.xyz - below_2.xyz))) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(
     Light light,
-    Color color_4,
-    float tone_3
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_4.xyz * light.color) * split.y, 1.0), tone_3 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
-    Light light_1,
-    metal::float3 normal_2,
+    Light light,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d_3 = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
-    return Angle {0.5 * metal::length(d_3 - light_1.direction), 0.5 * metal::length(d_3 + light_1.direction)};
+    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(
     float s,
     ProfileShape shape
@@ -375,187 +426,164 @@ float profile_soft_quick(
     return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
 }
 
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 float profile_ramp_quick(
-    float s_1,
-    float w_2,
-    ProfileShape shape_1
+    float s,
+    float w,
+    ProfileShape shape
 ) {
-    float width = metal::sqrt((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-    float from_offset = s_1 * (2.0 + ((s_1 * s_1) * 0.33333334));
-    float ramp_1 = metal::clamp(0.5 + ((shape_1.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w_2 <= 0.0) ? ((s_1 <= 0.0000004) ? 1.0 : 0.0) : ramp_1;
+    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
+    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
+    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
 }
 
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 float profile_filtered_quick(
-    Angle u_2,
-    float w_3,
-    ProfileShape shape_2
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u_2.half_sin * shape_2.half_cos_offset) - (u_2.half_cos * shape_2.half_sin_offset), (u_2.half_cos * shape_2.half_cos_offset) + (u_2.half_sin * shape_2.half_sin_offset));
-    float _e19 = profile_soft_quick(place.x, shape_2);
-    if (w_3 < (0.1 * shape_2.edge_deviation)) {
-        return _e19;
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r = 0.19364917 * w_3;
+    float r = 0.19364917 * w;
     metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float _e45 = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape_2);
-    float _e53 = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape_2);
-    return (((5.0 * _e45) + (8.0 * _e19)) + (5.0 * _e53)) / 18.0;
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
-float profile_filtered_quick_2_(
-    Angle u_3,
-    float w_4,
-    ProfileShape shape_3
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick_2(
+    Angle u,
+    float w,
+    ProfileShape shape
 ) {
-    metal::float2 place_1 = metal::float2((u_3.half_sin * shape_3.half_cos_offset) - (u_3.half_cos * shape_3.half_sin_offset), (u_3.half_cos * shape_3.half_cos_offset) + (u_3.half_sin * shape_3.half_sin_offset));
-    bool is_narrow = (w_4 > 0.0) & (w_4 >= (3.4641016 * shape_3.edge_deviation));
+    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
     if (false | is_narrow) {
-        float _e28 = profile_ramp_quick(place_1.x, w_4, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    float _e30 = profile_soft_quick(place_1.x, shape_3);
-    if (w_4 < (0.1 * shape_3.edge_deviation)) {
-        return _e30;
+    float point = profile_soft_quick(place.x, shape);
+    if (w < (0.1 * shape.edge_deviation)) {
+        return point;
     }
-    float r_1 = 0.19364917 * w_4;
-    metal::float2 turn_1 = metal::float2(r_1 * (1.0 - ((0.16666667 * r_1) * r_1)), 1.0 - ((0.5 * r_1) * r_1));
-    float _e56 = profile_soft_quick((place_1.x * turn_1.y) - (place_1.y * turn_1.x), shape_3);
-    float _e64 = profile_soft_quick((place_1.x * turn_1.y) + (place_1.y * turn_1.x), shape_3);
-    return (((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0;
+    float r = 0.19364917 * w;
+    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
+    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
+    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
+    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
 }
 
 float profile_balanced(
     Angle angle,
     float shift,
-    ProfileShape shape_4
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(
-    Angle angle_1,
-    float shift_1,
-    ProfileShape shape_5
+float profile_balanced_2(
+    Angle angle,
+    float shift,
+    ProfileShape shape
 ) {
-    Angle _e6 = angle_turned(angle_1, metal::float2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_quick_2_(_e6, _e7, shape_5);
-    return _e8;
+    Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
+    return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
-    return _e61;
+    metal::uint3 v = {};
+    v = (seed * 1664525u) + metal::uint3(1013904223u);
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    v = v ^ (v >> metal::uint3(16u));
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 metal::float3 unit_of_hash(
     metal::uint3 hash
 ) {
     return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
 }
 
+/// The hash of a lattice point.
 metal::uint3 lattice_hash(
     metal::int3 cell,
-    uint seed_1
+    uint seed
 ) {
-    metal::uint3 _e9 = hash_pcg3d(as_type<metal::uint3>(cell) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    return _e9;
+    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(
-    metal::uint3 hash_1,
+    metal::uint3 hash,
     metal::float3 d
 ) {
-    uint axis = naga_mod(hash_1.x >> 8u, 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = (axis == 0u) ? d.y : d.x;
     float b = (axis == 2u) ? d.y : d.z;
-    return (((hash_1.y >> 31u) == 0u) ? a : -(a)) + (((hash_1.z >> 31u) == 0u) ? b : -(b));
+    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
-    metal::float3 t_1
+    metal::float3 t
 ) {
-    return ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(
     metal::float3 p,
-    uint seed_2
+    uint seed
 ) {
     float sum = 0.0;
-    int i_1 = 0;
+    int i = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_4 = p - corner;
-    metal::float3 _e4 = fade_quintic(d_4);
-    metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    metal::float3 d = p - corner;
+    metal::float3 f = fade_quintic(d);
+    metal::int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e46 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_1 = false;
-        int _e10 = i_1;
-        if (_e10 < 8) {
+        loop_init = false;
+        if (i < 8) {
         } else {
             break;
         }
         {
-            int _e13 = i_1;
-            int _e16 = i_1;
-            int _e21 = i_1;
-            metal::int3 at = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at == metal::int3(1));
-            float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at)), seed_2);
-            float _e42 = gradient_dot(_e39, d_4 - static_cast<metal::float3>(at));
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
+            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
+            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
         }
     }
-    float _e48 = sum;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -567,211 +595,169 @@ int naga_div(int lhs, int rhs) {
     return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
 }
 
+/// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
+///
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
 Cell nearest_cell(
-    metal::float3 p_1,
-    uint seed_3
+    metal::float3 p,
+    uint seed
 ) {
     metal::float3 nearest = metal::float3(4.0);
-    metal::uint3 hash_2 = metal::uint3(0u);
-    int i_2 = 0;
+    metal::uint3 hash = metal::uint3(0u);
+    int i = 0;
     float border = {};
-    int i_3 = 0;
-    metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_5 = p_1 - corner_1;
-    metal::int3 cell_2 = naga_f2i32(corner_1);
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    int i_1 = 0;
+    metal::float3 corner = metal::floor(p);
+    metal::float3 d = p - corner;
+    metal::int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e51 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e51) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e13 = i_2;
-        if (_e13 < 27) {
+        loop_init = false;
+        if (i < 27) {
         } else {
             break;
         }
         {
-            int _e16 = i_2;
-            int _e21 = i_2;
-            int _e28 = i_2;
-            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e16, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e21, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e28, 9)) - as_type<uint>(1)));
-            metal::uint3 _e35 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1)), seed_3);
-            metal::float3 _e40 = unit_of_hash(_e35);
-            metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * _e40)) - d_5;
-            metal::float3 _e46 = nearest;
-            metal::float3 _e47 = nearest;
-            if (metal::dot(offset, offset) < metal::dot(_e46, _e47)) {
+            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
+            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
+            metal::float3 offset = ((static_cast<metal::float3>(at) + metal::float3(0.25)) + (0.5 * unit_of_hash(own))) - d;
+            if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
                 nearest = offset;
-                hash_2 = _e35;
+                hash = own;
             }
         }
     }
-    metal::float3 _e53 = nearest;
-    float distance = metal::length(_e53);
+    float distance = metal::length(nearest);
     border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
-    uint2 loop_bound_3 = uint2(4294967295u);
-    bool loop_init_3 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e110 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e110) + as_type<uint>(1));
+        if (!loop_init_1) {
+            i_1 = as_type<int>(as_type<uint>(i_1) + as_type<uint>(1));
         }
-        loop_init_3 = false;
-        int _e64 = i_3;
-        if (_e64 < 27) {
+        loop_init_1 = false;
+        if (i_1 < 27) {
         } else {
             break;
         }
         {
-            int _e67 = i_3;
-            int _e72 = i_3;
-            int _e79 = i_3;
-            metal::int3 at_2 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e67, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e72, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e79, 9)) - as_type<uint>(1)));
-            metal::uint3 _e90 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2)), seed_3);
-            metal::float3 _e91 = unit_of_hash(_e90);
-            metal::float3 _e96 = nearest;
-            metal::float3 apart = (((static_cast<metal::float3>(at_2) + metal::float3(0.25)) + (0.5 * _e91)) - d_5) - _e96;
+            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)), seed);
+            metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
+            metal::float3 apart = (((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * unit_of_hash_value)) - d) - nearest;
             float between = metal::length(apart);
+            // Points are half a cell apart at least; a nearer one is the cell's own.
             if (between > 0.25) {
-                float _e101 = border;
-                metal::float3 _e102 = nearest;
-                border = metal::min(_e101, metal::dot(_e102 + (0.5 * apart), apart) / between);
+                border = metal::min(border, metal::dot(nearest + (0.5 * apart), apart) / between);
             }
         }
     }
-    float _e112 = border;
-    metal::uint3 _e115 = hash_2;
-    metal::uint3 _e116 = hash_pcg3d(_e115);
-    metal::float3 _e117 = unit_of_hash(_e116);
-    return Cell {metal::max(_e112, 0.0), _e117.x, distance};
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return Cell {metal::max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance};
 }
 
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 float fractal_noise(
     uint kind,
-    metal::float3 p_2,
+    metal::float3 p,
     int octaves,
     float roughness,
-    int seed_4,
-    float w_5
+    int seed,
+    float w
 ) {
     float octave = {};
-    int i_4 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_1 = 0.0;
-    uint2 loop_bound_4 = uint2(4294967295u);
-    bool loop_init_4 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_4 == uint2(0u))) { break; }
-        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
-        if (!loop_init_4) {
-            int _e66 = i_4;
-            i_4 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_4 = false;
-        int _e17 = i_4;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased(w_5 * _e21, 0.5, 1.0);
-        float visible = 1.0 - _e25;
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            float _e31 = frequency;
-            int _e33 = i_4;
-            metal::float3 place_2 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_4;
-            float _e50 = perlin_noise(place_2, 0u + static_cast<uint>(_e47));
-            octave = metal::mix(0.5, _e50, visible);
+            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        float _e53 = sum_1;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_1 = _e53 + (_e54 * _e55);
-        float _e58 = total;
-        float _e59 = strength;
-        total = _e58 + _e59;
-        float _e61 = strength;
-        strength = _e61 * roughness;
-        float _e63 = frequency;
-        frequency = _e63 * 2.0;
+        sum = sum + (strength * octave);
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    float _e69 = sum_1;
-    return metal::min(_e69 / 1.5, 1.0);
+    return metal::min(sum / 1.5, 1.0);
 }
 
+/// Cells
+///
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
 Cells cells(
-    metal::float3 position_1,
-    float scale_1,
-    int seed_5
+    metal::float3 position,
+    float scale,
+    int seed
 ) {
-    metal::float3 p_3 = metal::clamp(position_1 * scale_1, metal::float3(-4194304.0), metal::float3(4194304.0));
-    Cell _e10 = nearest_cell(p_3, 4u);
-    float _e11 = footprint_of_vec3_2_(p_3);
-    float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, _e11);
+    metal::float3 p = metal::clamp(position * scale, metal::float3(-4194304.0), metal::float3(4194304.0));
+    Cell cell = nearest_cell(p, 4u);
+    float visible = 1.0 - metal::smoothstep(0.5, 1.0, footprint_of_vec3_2(p));
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
-    metal::float3 seen = metal::mix(average, metal::float3(_e10.border, _e10.random, _e10.distance), visible_1);
+    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance), visible);
     return Cells {seen.x, seen.y, seen.z};
 }
 
 float noise_perlin(
-    metal::float3 position_2,
-    float scale_2,
-    int octaves_1,
-    float roughness_1,
-    int seed_6
+    metal::float3 position,
+    float scale,
+    int octaves,
+    float roughness,
+    int seed
 ) {
-    metal::float3 p_4 = position_2 * scale_2;
-    float _e7 = footprint_of_vec3_(p_4);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
-    return _e8;
+    metal::float3 p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Cells _e4 = cells(surface.position_object, 3.4, 4);
-    float _e8 = footprint_of(_e4.random);
-    Color _e9 = ramp_at(colors_1, _e4.random, _e8);
-    Composite _e18 = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
-    float _e24 = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
-    metal::float3 _e28 = bump_map(_e24, 0.03, surface.normal, surface.position);
-    metal::float3 _e32 = look.sun.direction;
-    metal::float3 _e40 = look.sun.direction;
-    Angle sun_turn = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
-    float _e48 = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    Composite _e51 = blend_add_2_(_e18, _e9, _e48, 0.95, true);
-    metal::float3 _e55 = look.room.direction;
-    metal::float3 _e63 = look.room.direction;
-    Angle room_turn = Angle {0.5 * metal::length(_e28 - _e55), 0.5 * metal::length(_e28 + _e63)};
-    float _e71 = profile_balanced(room_turn, 0.0, on_the_glass_shape);
-    Composite _e74 = blend_add_2_(_e51, _e9, _e71, 0.45, true);
-    float _e78 = footprint_of(_e4.border);
-    float _e82 = step_filtered(_e4.border, 0.035, metal::length(metal::float2(_e78, 0.0)));
-    float leading = 1.0 - _e82;
-    metal::float4 leading_2_ = metal::clamp(metal::float4(_e74.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - _e74.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e103 = look.room;
-    Angle _e105 = parametrization_specular_balanced(_e103, _e28, surface.view);
-    float _e108 = profile_balanced_2_(_e105, 0.0, gleam_tone_shape);
-    Light _e111 = look.room;
-    LitLayer _e117 = light_apply(_e111, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e108);
-    Composite _e122 = blend_alpha(leading_2_, _e117.color, _e117.tone, 0.7, true);
-    Light _e125 = look.room;
-    Angle _e128 = parametrization_specular_balanced(_e125, surface.normal, surface.view);
-    float _e131 = profile_balanced_2_(_e128, 0.0, edge_of_the_lead_tone_shape);
-    Light _e134 = look.room;
-    LitLayer _e140 = light_apply(_e134, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e131);
-    Composite _e145 = blend_add_2_(_e122, _e140.color, _e140.tone, 0.35, true);
-    return _e145;
+    Cells panes = cells(surface.position_object, 3.4, 4);
+    Color colors_2 = ramp_at(colors_1, panes.random, footprint_of(panes.random));
+    Composite glass_in_shade = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
+    float wavering_glass = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
+    metal::float3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
+    Angle sun_turn = Angle {0.5 * metal::length(glass - look.sun.direction), 0.5 * metal::length(glass + look.sun.direction)};
+    float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
+    Composite light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
+    Angle room_turn = Angle {0.5 * metal::length(glass - look.room.direction), 0.5 * metal::length(glass + look.room.direction)};
+    float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
+    Composite light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
+    float seam = step_filtered(panes.border, 0.035, metal::length(metal::float2(footprint_of(panes.border), 0.0)));
+    float leading = 1.0 - seam;
+    metal::float4 leading_2 = metal::clamp(metal::float4(light_on_it.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Angle gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
+    float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
+    LitLayer gleam_lit = light_apply(look.room, metal::float4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
+    Composite gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
+    Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
+    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
+    LitLayer edge_of_the_lead_lit = light_apply(look.room, metal::float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
+    Composite edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+    return edge_of_the_lead_blend;
 }
 
 struct vs_mainInput {
@@ -786,15 +772,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_3, varyings.normal_3 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -811,15 +794,12 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object, varyings_1.normal_3 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    Surface surface_1 = Surface {normal_3, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position, in.position_object};
-    metal::float4 _e21 = shade(surface_1, look);
-    return fs_mainOutput { _e21 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position, in.position_object};
+    return fs_mainOutput { shade(surface, look) };
 }

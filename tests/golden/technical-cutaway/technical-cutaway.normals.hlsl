@@ -1,34 +1,41 @@
 // Technical cutaway: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws normals and depth, for the curvature pass.
-// Registers of space 0: view_1 b0, object b1, look b2.
+// Registers of space 0: view b0, object b1, look b2.
 // technical-cutaway.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light eye;
     row_major float3x3 camera_from_world;
@@ -36,6 +43,7 @@ struct Look {
     Light key;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -45,33 +53,50 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
 struct VectorParts {
+    /// The first number.
     float x;
+    /// The second number.
     float y;
+    /// The third number.
     float z;
 };
 
@@ -97,23 +122,10 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
+static const ProfileShape metal_tone_shape = {0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u};
+static const ProfileShape contour_tone_shape = {0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u};
 
-static const ProfileShape metal_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
-static const ProfileShape contour_tone_shape = ConstructProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
-
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
@@ -132,39 +144,47 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-float4 finite_vec4_(float4 v)
+/// v with 0 for each component that is NaN or infinite.
+float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
     return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float3 normalize_moderate(float3 v_1, float3 otherwise)
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_2)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
     float y = (x * x);
-    float s_3 = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
+    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
     float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
-    return float2(s_3, c);
+    return float2(s, c);
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -174,47 +194,54 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_4 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c_1));
-    float2 turned = (((s_4 <= 0.0) & (s_4 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
 }
 
-float bounded(float x_1)
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_3, float edge, float w)
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w)
 {
-    float d_1 = (x_3 - edge);
+    float d = (x - edge);
     if ((w < 1e-30)) {
-        return ((d_1 >= 0.0) ? 1.0 : 0.0);
+        return ((d >= 0.0) ? 1.0 : 0.0);
     }
-    const float _e12 = bounded((d_1 / w));
-    return clamp((0.5 + _e12), 0.0, 1.0);
+    return clamp((0.5 + bounded((d / w))), 0.0, 1.0);
 }
 
+/// Premultiplied RGBA of a straight color.
 float4 premultiplied(float4 color)
 {
     return float4((color.xyz * color.w), color.w);
 }
 
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 float4 straight(float4 composite)
 {
     if ((composite.w <= 0.0)) {
@@ -223,20 +250,27 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
+/// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float4 surface_texel(float3 normal_1, float depth, float number)
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
 {
-    const float2 _e3 = slope_of(normal_1);
-    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
 }
 
 float transition_balanced(float kappa, float slope)
@@ -244,16 +278,18 @@ float transition_balanced(float kappa, float slope)
     return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
 }
 
-float4 blend_alpha(float4 below, float4 color_1, float tone, float opacity, bool clamped)
+float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color_1.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 output(float4 color_2)
+/// Output
+///
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
+float4 output(float4 color)
 {
-    const float4 _e1 = straight(color_2);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return finite_vec4(straight(color));
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -263,99 +299,112 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_3, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_4, float tone_2)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply_2(Light light, float4 color, float tone)
 {
-    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4((light_1.color * split_1.y), 1.0), (tone_2 * split_1.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4((light.color * split.y), 1.0), (tone * split.x));
     return litlayer_1;
 }
 
-Angle parametrization_specular_balanced(Light light_2, float3 normal_2, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d_2 = (((2.0 * dot(normal_2, view)) * normal_2) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d_2 - light_2.direction))), (0.5 * length((d_2 + light_2.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_3;
 }
 
-Angle parametrization_screen_aligned_balanced(Light light_3, float3 normal_3, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3x3 camera_from_world)
 {
-    float3 d_3 = mul(normal_3, camera_from_world);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d_3 - light_3.own_direction))), (0.5 * length((d_3 + light_3.own_direction))));
+    float3 d = mul(normal, camera_from_world);
+    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
     return angle_4;
 }
 
+/// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
     float q = (s * shape.scale);
     return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
 }
 
-float profile_ramp_quick(float s_1, float w_1, ProfileShape shape_1)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w_1 * w_1) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-    float from_offset = (s_1 * (2.0 + ((s_1 * s_1) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape_1.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w_1 <= 0.0) ? ((s_1 <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_ramp_quick_2_(float s_2, float w_2, ProfileShape shape_2)
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
+float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width_1 = sqrt((w_2 * w_2));
-    float from_offset_1 = (s_2 * (2.0 + ((s_2 * s_2) * 0.33333334)));
-    float ramp_1 = clamp((0.5 + ((0.0 - from_offset_1) / max(width_1, 1e-6))), 0.0, 1.0);
-    return ((w_2 <= 0.0) ? ((s_2 <= 4e-7) ? 1.0 : 0.0) : ramp_1);
+    float width = sqrt((w * w));
+    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
+    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
+    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
 }
 
-float profile_filtered_quick(Angle u_2, float w_3, ProfileShape shape_3)
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
+float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u_2.half_sin * shape_3.half_cos_offset) - (u_2.half_cos * shape_3.half_sin_offset)), ((u_2.half_cos * shape_3.half_cos_offset) + (u_2.half_sin * shape_3.half_sin_offset)));
-    bool is_narrow = ((w_3 > 0.0) & (w_3 >= (3.4641016 * shape_3.edge_deviation)));
+    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
     if ((false | is_narrow)) {
-        const float _e28 = profile_ramp_quick(place.x, w_3, shape_3);
-        return _e28;
+        return profile_ramp_quick(place.x, w, shape);
     }
-    const float _e30 = profile_soft_quick(place.x, shape_3);
-    if ((w_3 < (0.1 * shape_3.edge_deviation))) {
-        return _e30;
+    const float point_ = profile_soft_quick(place.x, shape);
+    if ((w < (0.1 * shape.edge_deviation))) {
+        return point_;
     }
-    float r = (0.19364917 * w_3);
+    float r = (0.19364917 * w);
     float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float _e56 = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape_3);
-    const float _e64 = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape_3);
-    return ((((5.0 * _e56) + (8.0 * _e30)) + (5.0 * _e64)) / 18.0);
+    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
+    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_balanced(Angle angle, float shift, ProfileShape shape_4)
+float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_quick(_e6, _e7, shape_4);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-float profile_balanced_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
+float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_quick((0.5 * shift_1));
-    const Angle _e6 = angle_turned(angle_1, _e5);
-    const float _e14 = angle_footprint(_e6);
-    const float _e15 = profile_ramp_quick_2_(((_e6.half_sin * shape_5.half_cos_offset) - (_e6.half_cos * shape_5.half_sin_offset)), _e14, shape_5);
-    return _e15;
+    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const float angle_footprint_value = angle_footprint(warped);
+    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
 }
 
-float4 gooch(Light light_4, float3 normal_4, float4 color_5, float4 cool, float4 warm, float cool_amount, float warm_amount)
+/// Cool to warm
+///
+/// Technical illustration's shading: from a cool color on the far side to a warm one toward the
+/// light, so that outlines and highlights, which are darker and lighter, stay readable everywhere.
+float4 gooch(Light light, float3 normal, float4 color, float4 cool, float4 warm, float cool_amount, float warm_amount)
 {
-    float t_1 = (0.5 + (0.5 * dot(normal_4, light_4.direction)));
-    float3 far = (cool.xyz + (cool_amount * color_5.xyz));
-    float3 near = (warm.xyz + (warm_amount * color_5.xyz));
-    return float4(lerp(far, near, clamp(t_1, 0.0, 1.0)), 1.0);
+    float t = (0.5 + (0.5 * dot(normal, light.direction)));
+    float3 far = (cool.xyz + (cool_amount * color.xyz));
+    float3 near = (warm.xyz + (warm_amount * color.xyz));
+    return float4(lerp(far, near, clamp(t, 0.0, 1.0)), 1.0);
 }
 
 VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
@@ -374,46 +423,37 @@ Shaded ConstructShaded(float3 arg0, float4 arg1, float arg2) {
     return ret;
 }
 
+/// The normal that the curvature pass sees.
 Shaded shade(Surface surface)
 {
-    Light _e3 = look.key;
-    const float4 _e22 = gooch(_e3, surface.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
-    float4 cool_to_warm_2_ = float4(((1.0).xxx + (_e22.xyz - (1.0).xxx)), 1.0);
-    const float _e34 = transition_balanced(surface.kappa, 0.25);
-    const float4 _e42 = curvature_color(_e34, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e45 = look.key;
-    const LitLayer _e47 = light_apply(_e45, _e42, 1.0);
-    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e47.tone * _e47.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e69 = look.key;
-    const Angle _e72 = parametrization_specular_balanced(_e69, surface.normal, surface.view);
-    const float _e75 = transition_balanced(surface.kappa, 0.2);
-    float metal_warp = (((2.0 * _e75) - 1.0) * 0.05);
-    const float _e83 = profile_balanced(_e72, metal_warp, metal_tone_shape);
-    Light _e86 = look.key;
-    const LitLayer _e89 = light_apply_2_(_e86, (1.0).xxxx, _e83);
-    const float4 _e94 = blend_alpha(hollows_blend, _e89.color, _e89.tone, 0.8, true);
-    Light _e97 = look.eye;
-    float3x3 _e101 = look.camera_from_world;
-    const Angle _e102 = parametrization_screen_aligned_balanced(_e97, surface.normal, _e101);
-    const float _e105 = transition_balanced(surface.kappa, 0.12);
-    float contour_warp = (((2.0 * _e105) - 1.0) * 0.25);
-    const float _e113 = profile_balanced_2_(_e102, contour_warp, contour_tone_shape);
-    Light _e116 = look.eye;
-    const LitLayer _e119 = light_apply_2_(_e116, (1.0).xxxx, _e113);
-    float4 contour_blend = clamp(float4((_e94.xyz * (_e119.tone * _e119.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 place_1 = surface.position_object;
-    VectorParts parts = ConstructVectorParts(place_1.x, place_1.y, place_1.z);
+    const float4 cool_to_warm = gooch(look.key, surface.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    float4 cool_to_warm_2 = float4(((1.0).xxx + (cool_to_warm.xyz - (1.0).xxx)), 1.0);
+    const float hollows_convexity = transition_balanced(surface.kappa, 0.25);
+    const float4 hollows_color = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
+    const LitLayer hollows_lit = light_apply(look.key, hollows_color, 1.0);
+    float4 hollows_blend = clamp(float4((cool_to_warm_2.xyz + (0.8 * ((cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz)) - cool_to_warm_2.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const Angle metal_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float metal_warp = (((2.0 * transition_balanced(surface.kappa, 0.2)) - 1.0) * 0.05);
+    const float metal_tone = profile_balanced(metal_angle, metal_warp, metal_tone_shape);
+    const LitLayer metal_lit = light_apply_2(look.key, (1.0).xxxx, metal_tone);
+    const float4 metal_blend = blend_alpha(hollows_blend, metal_lit.color, metal_lit.tone, 0.8, true);
+    const Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
+    float contour_warp = (((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.25);
+    const float contour_tone = profile_balanced_2(contour_angle, contour_warp, contour_tone_shape);
+    const LitLayer contour_lit = light_apply_2(look.eye, (1.0).xxxx, contour_tone);
+    float4 contour_blend = clamp(float4((metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 place = surface.position_object;
+    VectorParts parts = ConstructVectorParts(place.x, place.y, place.z);
     float into_the_corner = min(parts.x, parts.z);
-    const float _e142 = footprint_of(into_the_corner);
-    const float _e148 = step_filtered(into_the_corner, -0.012, length(float2(min(_e142, 1000000000000000.0), 0.0)));
-    float4 section_line = clamp(float4((contour_blend.xyz + (_e148 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e166 = footprint_of(into_the_corner);
-    const float _e172 = step_filtered(into_the_corner, 0.02, length(float2(min(_e166, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e172);
+    const float footprint_of_value = footprint_of(into_the_corner);
+    const float section = step_filtered(into_the_corner, -0.012, length(float2(min(footprint_of_value, 1000000000000000.0), 0.0)));
+    float4 section_line = clamp(float4((contour_blend.xyz + (section * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float footprint_of_value_1 = footprint_of(into_the_corner);
+    const float taken_out = step_filtered(into_the_corner, 0.02, length(float2(min(footprint_of_value_1, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - taken_out);
     float4 cut = float4(section_line.xyz, kept);
-    const float4 _e177 = premultiplied(cut);
-    const float4 _e178 = output(_e177);
-    const Shaded shaded = ConstructShaded(surface.normal, _e178, 0.5);
+    const float4 output_2 = output(premultiplied(cut));
+    const Shaded shaded = ConstructShaded(surface.normal, output_2, 0.5);
     return shaded;
 }
 
@@ -428,11 +468,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e16 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -452,29 +489,21 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     bool is_front = fragmentinput_fs_main.is_front_1;
     bool local = (bool)0;
 
-    const float3 _e3 = normalize_seen(in_.normal);
-    float4 _e6 = view_1.eye;
-    float _e11 = view_1.eye.w;
-    float3 toward = normalize((_e6.xyz - (_e11 * in_.position)));
+    const float3 facing = normalize_seen(in_.normal);
+    float3 toward = normalize((view.eye.xyz - (view.eye.w * in_.position)));
     if (!(is_front)) {
-        local = (dot(_e3, toward) < -0.1);
+        local = (dot(facing, toward) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
-    float3 normal_7 = (is_behind ? -(_e3) : _e3);
-    float4 _e28 = view_1.eye;
-    float _e33 = view_1.eye.w;
-    Surface surface_1 = ConstructSurface(normal_7, normalize((_e28.xyz - (_e33 * in_.position))), in_.position_object, 0.0);
-    const Shaded _e41 = shade(surface_1);
-    if ((_e41.color.w < _e41.cutoff)) {
+    float3 normal = (is_behind ? -(facing) : facing);
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, 0.0);
+    const Shaded shaded = shade(surface);
+    if ((shaded.color.w < shaded.cutoff)) {
         discard;
     }
-    float4x4 _e48 = view_1.camera_from_world;
-    float3 seen = mul(float4(_e41.value, 0.0), _e48).xyz;
-    float4x4 _e56 = view_1.camera_from_world;
-    float depth_1 = -(mul(float4(in_.position, 1.0), _e56).z);
-    float _e65 = object.id;
-    const float4 _e68 = surface_texel(seen, depth_1, (_e65 + 1.0));
-    return _e68;
+    float3 seen = mul(float4(shaded.value, 0.0), view.camera_from_world).xyz;
+    float depth = -(mul(float4(in_.position, 1.0), view.camera_from_world).z);
+    return surface_texel(seen, depth, (object.id + 1.0));
 }

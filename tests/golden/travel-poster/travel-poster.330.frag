@@ -7,45 +7,74 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     Light sky;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
 struct LitLayer {
+    /// The color under this light.
     vec4 color;
+    /// The tone under this light.
     float tone;
 };
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 struct Varyings {
@@ -70,6 +99,8 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
     float f = (x - whole);
@@ -77,407 +108,436 @@ float exp2_stable(float x) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable_2(float x) {
+    float clamped = max(x, -126.0);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int exponent_3 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_3) << 23u)));
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_tiny(float x_3) {
-    float y_1 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+vec2 sin_cos_tiny(float x) {
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
     return vec2(s, c);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_1) {
-    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, vec2 t) {
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_turned_2_(Angle u_2, vec2 t_1) {
-    float s_2 = (u_2.half_sin - 0.0);
-    vec2 upper_1 = ((u_2.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, u_2.half_cos));
-    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < u_2.half_cos)) ? vec2(0.0, 1.0) : upper_1);
-    return Angle(turned_1.x, turned_1.y);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, vec2 t) {
+    float s = (u.half_sin - 0.0);
+    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
+    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 float powered(float base, float exponent) {
     float magnitude = abs(base);
-    float _e5 = log2_stable(max(magnitude, SMALLEST_NORMAL));
-    float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
+    float raised = exp2_stable((exponent * log2_stable(max(magnitude, SMALLEST_NORMAL))));
+    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : raised);
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
-    vec2 d = vec2(_e1, _e2);
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
     return sqrt(dot(d, d));
 }
 
-float stairs_integral(float x_5, float count) {
-    float inside = min(x_5, count);
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral(float x, float count) {
+    float inside = min(x, count);
     float stair = min(floor(inside), 6.0);
-    float beyond = max((x_5 - count), 0.0);
+    float beyond = max((x - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0));
 }
 
-float stairs_integral_2_(float x_6, float count_1) {
-    float inside_1 = max(x_6, 0.0);
-    float stair_1 = floor(inside_1);
-    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral_2(float x, float count) {
+    float inside = max(x, 0.0);
+    float stair = floor(inside);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
 }
 
-float stairs_filtered(float x_7, float count_2, float w) {
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
+float stairs_filtered(float x, float count, float w) {
     if ((w <= 1.0)) {
-        float edge = clamp(roundEven(x_7), 1.0, 6.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x_7 - edge) / w)), 0.0, 1.0));
+        float edge = clamp(roundEven(x), 1.0, 6.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
     }
-    float half_1 = (0.5 * w);
-    float _e22 = stairs_integral((x_7 + half_1), count_2);
-    float _e24 = stairs_integral_2_((x_7 - half_1), count_2);
-    return ((_e22 - _e24) / (2.0 * half_1));
+    float half_ = (0.5 * w);
+    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
 }
 
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
 float linear_of_srgb(float coded) {
     float size = abs(coded);
-    float _e6 = log2_stable(((size + 0.055) / 1.055));
-    float _e9 = exp2_stable((2.4 * _e6));
-    float value = ((size <= 0.04045) ? (size / 12.92) : _e9);
+    float exp2_stable_value = exp2_stable((2.4 * log2_stable(((size + 0.055) / 1.055))));
+    float value = ((size <= 0.04045) ? (size / 12.92) : exp2_stable_value);
     return value;
 }
 
-float linear_of_srgb_2_(float coded_1) {
-    float size_1 = abs(coded_1);
-    float value_1 = ((size_1 <= 0.04045) ? (size_1 / 12.92) : pow(((size_1 + 0.055) / 1.055), 2.4));
-    return value_1;
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
+float linear_of_srgb_2(float coded) {
+    float size = abs(coded);
+    float value = ((size <= 0.04045) ? (size / 12.92) : pow(((size + 0.055) / 1.055), 2.4));
+    return value;
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light) {
-    float size_2 = abs(light);
-    float _e3 = powered(size_2, 0.41666666);
-    float value_2 = ((size_2 <= 0.0031308) ? (size_2 * 12.92) : ((1.055 * _e3) - 0.055));
-    return ((light < 0.0) ? -(value_2) : value_2);
+    float size = abs(light);
+    float powered_value = powered(size, 0.41666666);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * powered_value) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 vec3 oklab_of_linear(vec3 rgb) {
-    float _e8 = powered(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    float _e16 = powered(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float _e24 = powered(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * _e8) + (0.7936178 * _e16)) - (0.004072047 * _e24)), (((1.9779985 * _e8) - (2.4285922 * _e16)) + (0.4505937 * _e24)), (((0.025904037 * _e8) + (0.78277177 * _e16)) - (0.80867577 * _e24)));
+    float l = powered(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    float m = powered(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
+    float s = powered(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
-vec3 oklab_of_linear_2_(vec3 rgb_1) {
-    float l = pow(abs(dot(rgb_1, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    float m = pow(abs(dot(rgb_1, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s_3 = pow(abs(dot(rgb_1, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s_3)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s_3)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s_3)));
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
+vec3 oklab_of_linear_2(vec3 rgb) {
+    float l = pow(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    float m = pow(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
+    float s = pow(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
-vec3 oklab_of_linear_3_(vec3 rgb_2) {
-    float l_1 = pow(dot(rgb_2, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
-    float m_1 = pow(dot(rgb_2, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s_4 = pow(dot(rgb_2, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l_1) + (0.7936178 * m_1)) - (0.004072047 * s_4)), (((1.9779985 * l_1) - (2.4285922 * m_1)) + (0.4505937 * s_4)), (((0.025904037 * l_1) + (0.78277177 * m_1)) - (0.80867577 * s_4)));
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
+vec3 oklab_of_linear_3(vec3 rgb) {
+    float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l_2 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_2 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_5 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l_2 * l_2) * l_2), ((m_2 * m_2) * m_2), ((s_5 * s_5) * s_5));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
-vec3 oklab_of_srgb(vec3 coded_2) {
-    vec3 _e23 = oklab_of_linear_3_(vec3(pow(((coded_2.x + 0.055) / 1.055), 2.4), pow(((coded_2.y + 0.055) / 1.055), 2.4), pow(((coded_2.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+/// [`oklab_of_linear`] of an sRGB-coded color.
+vec3 oklab_of_srgb(vec3 coded) {
+    vec3 oklab_of_linear_3_value = oklab_of_linear_3(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_3_value;
 }
 
-vec3 srgb_of_oklab(vec3 lab_1) {
-    vec3 _e1 = linear_of_oklab(lab_1);
-    float _e3 = srgb_of_linear(_e1.x);
-    float _e5 = srgb_of_linear(_e1.y);
-    float _e7 = srgb_of_linear(_e1.z);
-    return vec3(_e3, _e5, _e7);
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+vec3 srgb_of_oklab(vec3 lab) {
+    vec3 light = linear_of_oklab(lab);
+    return vec3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-vec3 palette_blend(Ramp palette, vec3 rgb_3, float softness) {
+/// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
+/// there with the colors that are up to `softness` farther. Black for a palette without colors.
+vec3 palette_blend(Ramp palette, vec3 rgb, float softness) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 0u;
     vec3 found = vec3(0.0);
     float nearest = 1e30;
     colors = palette.colors;
-    float _e6 = linear_of_srgb_2_(rgb_3.x);
-    float _e8 = linear_of_srgb_2_(rgb_3.y);
-    float _e10 = linear_of_srgb_2_(rgb_3.z);
-    vec3 _e12 = oklab_of_linear_2_(vec3(_e6, _e8, _e10));
+    vec3 wanted = oklab_of_linear_2(vec3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y), linear_of_srgb_2(rgb.z)));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e20 = i;
-        if (!((_e20 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        uint _e24 = i;
-        vec4 _e26 = colors[_e24];
-        vec3 _e28 = oklab_of_srgb(_e26.xyz);
-        float far = min(length((_e28 - _e12)), 1e29);
-        vec3 _e33 = found;
-        uint _e34 = i;
-        vec4 _e36 = colors[_e34];
-        float _e38 = nearest;
-        found = ((far < _e38) ? _e36.xyz : _e33);
-        float _e41 = nearest;
-        nearest = min(_e41, far);
+        vec3 lab = oklab_of_srgb(colors[i].xyz);
+        float far = min(length((lab - wanted)), 1e29);
+        found = ((far < nearest) ? colors[i].xyz : found);
+        nearest = min(nearest, far);
     }
-    vec3 _e46 = found;
-    return _e46;
+    return found;
 }
 
-vec4 posterize_lightness(vec4 color, int steps, float softness_1) {
-    float _e4 = linear_of_srgb(color.x);
-    float _e6 = linear_of_srgb(color.y);
-    float _e8 = linear_of_srgb(color.z);
-    vec3 _e10 = oklab_of_linear(vec3(_e4, _e6, _e8));
-    float _e19 = footprint_of(_e10.x);
-    float _e24 = stairs_filtered((7.0 * clamp(_e10.x, 0.0, 1.0)), 7.0, length(vec2((7.0 * _e19), softness_1)));
-    float stepped = clamp((_e24 / 6.0), 0.0, 1.0);
-    float kept = ((_e10.x > 0.0001) ? (stepped / max(_e10.x, 0.0001)) : 0.0);
-    vec3 _e44 = srgb_of_oklab(vec3(stepped, (_e10.yz * min(kept, 1.0))));
-    return vec4(clamp(_e44, vec3(0.0), vec3(1.0)), 1.0);
+/// Posterize
+///
+/// Reduces a color to a few steps, as screen prints and old posters do. By lightness the hue stays
+/// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
+/// is the look of early computers.
+vec4 posterize_lightness(vec4 color, int steps, float softness) {
+    vec3 lab = oklab_of_linear(vec3(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z)));
+    float stairs_filtered_value = stairs_filtered((7.0 * clamp(lab.x, 0.0, 1.0)), 7.0, length(vec2((7.0 * footprint_of(lab.x)), softness)));
+    float stepped = clamp((stairs_filtered_value / 6.0), 0.0, 1.0);
+    float kept = ((lab.x > 0.0001) ? (stepped / max(lab.x, 0.0001)) : 0.0);
+    return vec4(clamp(srgb_of_oklab(vec3(stepped, (lab.yz * min(kept, 1.0)))), vec3(0.0), vec3(1.0)), 1.0);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-vec4 blend_add(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * color_1.xyz)), 1.0), vec4(0.0), vec4(1.0));
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-LitLayer light_apply(Light light_1, vec4 color_2, float tone_1) {
-    vec2 split = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, vec4 color, float tone) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-Angle parametrization_specular_balanced(Light light_2, vec3 normal, vec3 view) {
-    vec3 d_1 = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
+    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
 }
 
-float profile_power(float q, float exponent_1) {
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+float profile_power(float q, float exponent) {
     float log_base = 0.0;
     if ((q >= 1.0)) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
+        log_base = (LOG2_E * log1p_negative_small((q * q)));
     } else {
-        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
+        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
     }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    return min(exp2_stable((exponent * log_base)), 1.0);
 }
 
-float profile_point(Angle u_3, ProfileShape shape) {
-    float s_6 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    if (((s_6 <= 0.0) || false)) {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point(Angle u, ProfileShape shape) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    if (((s <= 0.0) || false)) {
         return 1.0;
     }
-    float q_2 = (s_6 * shape.scale);
-    float _e15 = profile_power(q_2, shape.exponent);
-    return _e15;
+    float q = (s * shape.scale);
+    return profile_power(q, shape.exponent);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1) {
-    float s_7 = (u_4.half_sin - 0.0);
-    if (((s_7 <= 0.0) || false)) {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point_2(Angle u, ProfileShape shape) {
+    float s = (u.half_sin - 0.0);
+    if (((s <= 0.0) || false)) {
         return 1.0;
     }
-    float q_3 = (s_7 * shape_1.scale);
-    float _e13 = profile_power(q_3, shape_1.exponent);
-    return _e13;
+    float q = (s * shape.scale);
+    return profile_power(q, shape.exponent);
 }
 
-float profile_power_2_(float q_1, float exponent_2) {
-    float log_base_1 = 0.0;
-    if ((q_1 >= 1.0)) {
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+float profile_power_2(float q, float exponent) {
+    float log_base = 0.0;
+    if ((q >= 1.0)) {
         return 0.0;
     }
-    if ((q_1 < 0.5)) {
-        float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
+    if ((q < 0.5)) {
+        log_base = (LOG2_E * log1p_negative_small((q * q)));
     } else {
-        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
+        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
     }
-    float _e19 = log_base_1;
-    float _e21 = exp2_stable_2_((exponent_2 * _e19));
-    return min(_e21, 1.0);
+    return min(exp2_stable_2((exponent * log_base)), 1.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2) {
-    float s_8 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    if (((s_8 <= 0.0) || false)) {
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point_3(Angle u, ProfileShape shape) {
+    float s = ((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset));
+    if (((s <= 0.0) || false)) {
         return 1.0;
     }
-    float q_4 = (s_8 * shape_2.scale);
-    float _e17 = profile_power_2_(q_4, shape_2.exponent);
-    return _e17;
+    float q = (s * shape.scale);
+    return profile_power_2(q, shape.exponent);
 }
 
-float profile_filtered(Angle u_6, float w_1, ProfileShape shape_3) {
-    float _e3 = profile_point(u_6, shape_3);
-    bool is_wide = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide || (w_1 <= 0.0)) || false)) {
-        return _e3;
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered(Angle u, float w, ProfileShape shape) {
+    float point = profile_point(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide || (w <= 0.0)) || false)) {
+        return point;
     }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    Angle _e16 = angle_turned(u_6, _e15);
-    float _e17 = profile_point(_e16, shape_3);
-    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    float before = profile_point(angle_turned(u, reach), shape);
+    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_2_(Angle u_7, float w_2, ProfileShape shape_4) {
-    float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_1 = (w_2 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
-        return _e3;
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered_2(Angle u, float w, ProfileShape shape) {
+    float point = profile_point_2(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide || (w <= 0.0)) || false)) {
+        return point;
     }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    Angle _e16 = angle_turned(u_7, _e15);
-    float _e17 = profile_point_2_(_e16, shape_4);
-    Angle _e22 = angle_turned(u_7, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point(_e22, shape_4);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    float before = profile_point_2(angle_turned(u, reach), shape);
+    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_3_(Angle u_8, float w_3, ProfileShape shape_5) {
-    float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_2 = (w_3 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
-        return _e3;
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered_3(Angle u, float w, ProfileShape shape) {
+    float point = profile_point_3(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide || (w <= 0.0)) || false)) {
+        return point;
     }
-    vec2 _e15 = sin_cos_tiny((0.19364917 * w_3));
-    Angle _e16 = angle_turned(u_8, _e15);
-    float _e17 = profile_point_3_(_e16, shape_5);
-    Angle _e22 = angle_turned(u_8, vec2(-(_e15.x), _e15.y));
-    float _e23 = profile_point_3_(_e22, shape_5);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    float before = profile_point_3(angle_turned(u, reach), shape);
+    float after = profile_point_3(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_6) {
-    vec2 _e5 = sin_cos_tiny((0.5 * shift));
-    Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered(_e6, _e7, shape_6);
-    return _e8;
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned(angle, sin_cos_tiny((0.5 * shift)));
+    return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
-    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile_2(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
-    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
-    float _e7 = angle_footprint(_e6);
-    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
-    return _e8;
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile_3(Angle angle, float shift, ProfileShape shape) {
+    Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
+    return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float evening_sun_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.12), -20.0, 20.0))))))));
-    vec4 _e30 = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0), vec4(0.66, 0.24, 0.24, 1.0));
-    vec3 _e35 = u_look.key.direction;
-    vec3 _e44 = u_look.key.direction;
-    Angle evening_sun_angle = Angle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
+    vec4 evening_sun_color = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0), vec4(0.66, 0.24, 0.24, 1.0));
+    Angle evening_sun_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
     float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
-    float _e57 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
-    Light _e60 = u_look.key;
-    LitLayer _e61 = light_apply(_e60, _e30, _e57);
-    vec4 _e71 = blend_add(vec4(0.07, 0.1, 0.22, 1.0), _e61.color, _e61.tone, 1.0, true);
-    vec3 _e76 = u_look.sky.direction;
-    vec3 _e85 = u_look.sky.direction;
-    Angle sky_angle = Angle((0.5 * length((surface.normal - _e76))), (0.5 * length((surface.normal + _e85))));
-    float _e93 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e96 = u_look.sky;
-    LitLayer _e102 = light_apply(_e96, vec4(0.02, 0.24, 0.3, 1.0), _e93);
-    vec4 _e107 = blend_add(_e71, _e102.color, _e102.tone, 1.0, true);
-    Light _e110 = u_look.key;
-    Angle _e113 = parametrization_specular_balanced(_e110, surface.normal, surface.view);
-    float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
-    Light _e119 = u_look.key;
-    LitLayer _e125 = light_apply(_e119, vec4(0.42, 0.38, 0.24, 1.0), _e116);
-    vec4 _e130 = blend_add(_e107, _e125.color, _e125.tone, 1.0, true);
-    vec4 _e133 = posterize_lightness(_e130, 7, 0.02);
-    vec3 _e137 = palette_blend(seven_inks, _e133.xyz, 0.0);
-    vec4 seven_inks_2_ = vec4(_e137, 1.0);
-    return seven_inks_2_;
+    float evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    LitLayer evening_sun_lit = light_apply(u_look.key, evening_sun_color, evening_sun_tone);
+    vec4 evening_sun_blend = blend_add(vec4(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
+    Angle sky_angle = Angle((0.5 * length((surface.normal - u_look.sky.direction))), (0.5 * length((surface.normal + u_look.sky.direction))));
+    float sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
+    LitLayer sky_lit = light_apply(u_look.sky, vec4(0.02, 0.24, 0.3, 1.0), sky_tone);
+    vec4 sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+    Angle glow_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    float glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
+    LitLayer glow_lit = light_apply(u_look.key, vec4(0.42, 0.38, 0.24, 1.0), glow_tone);
+    vec4 glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
+    vec4 seven_lightnesses = posterize_lightness(glow_blend, 7, 0.02);
+    vec4 seven_inks_2 = vec4(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
+    return seven_inks_2;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    vec4 _e26 = shade(surface_1);
-    out_color = _e26;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    out_color = shade(surface);
     return;
 }
 

@@ -1,39 +1,47 @@
 // Travel poster: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // travel-poster.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
     Light sky;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -41,36 +49,57 @@ struct Surface {
     float kappa;
 };
 
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
+    /// sin(u/2), 0 or more.
     float half_sin;
+    /// cos(u/2), 0 or more.
     float half_cos;
 };
 
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     float4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     float4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     int _end_pad_0;
     int _end_pad_1;
 };
 
 struct LitLayer {
+    /// The color under this light.
     float4 color;
+    /// The tone under this light.
     float tone;
     int _end_pad_0;
     int _end_pad_1;
     int _end_pad_2;
 };
 
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
+    /// cos(tau/2) and sin(tau/2).
     float half_cos_offset;
     float half_sin_offset;
+    /// 1 / sin(c'/2); 0 for a step at tau and for ambient.
     float scale;
+    /// gamma of BADF eq. 11.
     float exponent;
+    /// tau, the step's place, in radians.
     float offset;
+    /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     float edge_mean;
     float edge_deviation;
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
 
@@ -85,48 +114,14 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6, uint arg7) {
-    ProfileShape ret = (ProfileShape)0;
-    ret.half_cos_offset = arg0;
-    ret.half_sin_offset = arg1;
-    ret.scale = arg2;
-    ret.exponent = arg3;
-    ret.offset = arg4;
-    ret.edge_mean = arg5;
-    ret.edge_deviation = arg6;
-    ret.kind = arg7;
-    return ret;
-}
-
-typedef float4 ret_Constructarray16_float4_[16];
-ret_Constructarray16_float4_ Constructarray16_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3, float4 arg4, float4 arg5, float4 arg6, float4 arg7, float4 arg8, float4 arg9, float4 arg10, float4 arg11, float4 arg12, float4 arg13, float4 arg14, float4 arg15) {
-    float4 ret[16] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8, arg9, arg10, arg11, arg12, arg13, arg14, arg15 };
-    return ret;
-}
-
-typedef float4 ret_Constructarray4_float4_[4];
-ret_Constructarray4_float4_ Constructarray4_float4_(float4 arg0, float4 arg1, float4 arg2, float4 arg3) {
-    float4 ret[4] = { arg0, arg1, arg2, arg3 };
-    return ret;
-}
-
-Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
-    Ramp ret = (Ramp)0;
-    ret.colors = arg0;
-    ret.places = arg1;
-    ret.count = arg2;
-    ret.interpolation = arg3;
-    return ret;
-}
-
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const ProfileShape evening_sun_tone_shape = ConstructProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
-static const ProfileShape sky_tone_shape = ConstructProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u);
-static const ProfileShape glow_tone_shape = ConstructProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u);
-static const Ramp seven_inks = ConstructRamp(Constructarray16_float4_(float4(0.0863, 0.1333, 0.2471, 1.0), float4(0.1725, 0.3176, 0.3882, 1.0), float4(0.4863, 0.2275, 0.2706, 1.0), float4(0.7686, 0.3294, 0.2471, 1.0), float4(0.8784, 0.5412, 0.298, 1.0), float4(0.9412, 0.7608, 0.4824, 1.0), float4(0.9843, 0.9333, 0.7961, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.15, 0.3, 0.45), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx), 7u, 0u);
+static const ProfileShape evening_sun_tone_shape = {1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u};
+static const ProfileShape sky_tone_shape = {1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u};
+static const ProfileShape glow_tone_shape = {0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u};
+static const Ramp seven_inks = {{float4(0.0863, 0.1333, 0.2471, 1.0), float4(0.1725, 0.3176, 0.3882, 1.0), float4(0.4863, 0.2275, 0.2706, 1.0), float4(0.7686, 0.3294, 0.2471, 1.0), float4(0.8784, 0.5412, 0.298, 1.0), float4(0.9412, 0.7608, 0.4824, 1.0), float4(0.9843, 0.9333, 0.7961, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.15, 0.3, 0.45), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 0u};
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -148,6 +143,8 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x)
 {
     float whole = round(x);
@@ -156,59 +153,71 @@ float exp2_stable(float x)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float exp2_stable_2_(float x_1)
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+float exp2_stable_2(float x)
 {
-    float clamped_1 = max(x_1, -126.0);
-    float whole_1 = round(clamped_1);
-    float f_1 = (clamped_1 - whole_1);
-    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
-    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+    float clamped = max(x, -126.0);
+    float whole = round(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_2);
-    int exponent_3 = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent_3) << 23u)));
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
+    float z = (y / (2.0 - y));
+    float z2 = (z * z);
+    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
 }
 
-float2 sin_cos_tiny(float x_3)
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+float2 sin_cos_tiny(float x)
 {
-    float y_1 = (x_3 * x_3);
-    float s = (x_3 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
-    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+    float y = (x * x);
+    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
     return float2(s, c);
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 float angle_footprint(Angle u)
 {
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -218,204 +227,215 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_turned(Angle u_1, float2 t)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned(Angle u, float2 t)
 {
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
-    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
+    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
+    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
+    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
     const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
 }
 
-Angle angle_turned_2_(Angle u_2, float2 t_1)
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+Angle angle_turned_2(Angle u, float2 t)
 {
-    float s_2 = (u_2.half_sin - 0.0);
-    float2 upper_1 = ((u_2.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s_2, u_2.half_cos));
-    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < u_2.half_cos)) ? float2(0.0, 1.0) : upper_1);
-    const Angle angle_4 = ConstructAngle(turned_1.x, turned_1.y);
+    float s = (u.half_sin - 0.0);
+    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
+    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
     return angle_4;
 }
 
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 float powered(float base, float exponent)
 {
     float magnitude = abs(base);
-    const float _e5 = log2_stable(max(magnitude, SMALLEST_NORMAL));
-    const float _e7 = exp2_stable((exponent * _e5));
-    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
+    const float raised = exp2_stable((exponent * log2_stable(max(magnitude, SMALLEST_NORMAL))));
+    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : raised);
 }
 
-float footprint_of(float x_4)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
-float stairs_integral(float x_5, float count)
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral(float x, float count)
 {
-    float inside = min(x_5, count);
+    float inside = min(x, count);
     float stair = min(floor(inside), 6.0);
-    float beyond = max((x_5 - count), 0.0);
+    float beyond = max((x - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0));
 }
 
-float stairs_integral_2_(float x_6, float count_1)
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+float stairs_integral_2(float x, float count)
 {
-    float inside_1 = max(x_6, 0.0);
-    float stair_1 = floor(inside_1);
-    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+    float inside = max(x, 0.0);
+    float stair = floor(inside);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
 }
 
-float stairs_filtered(float x_7, float count_2, float w)
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
+float stairs_filtered(float x, float count, float w)
 {
     if ((w <= 1.0)) {
-        float edge = clamp(round(x_7), 1.0, 6.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x_7 - edge) / w)), 0.0, 1.0));
+        float edge = clamp(round(x), 1.0, 6.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
     }
-    float half_1 = (0.5 * w);
-    const float _e22 = stairs_integral((x_7 + half_1), count_2);
-    const float _e24 = stairs_integral_2_((x_7 - half_1), count_2);
-    return ((_e22 - _e24) / (2.0 * half_1));
+    float half_ = (0.5 * w);
+    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
 }
 
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
 float linear_of_srgb(float coded)
 {
     float size = abs(coded);
-    const float _e6 = log2_stable(((size + 0.055) / 1.055));
-    const float _e9 = exp2_stable((2.4 * _e6));
-    float value = ((size <= 0.04045) ? (size / 12.92) : _e9);
+    const float exp2_stable_value = exp2_stable((2.4 * log2_stable(((size + 0.055) / 1.055))));
+    float value = ((size <= 0.04045) ? (size / 12.92) : exp2_stable_value);
     return value;
 }
 
-float linear_of_srgb_2_(float coded_1)
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
+float linear_of_srgb_2(float coded)
 {
-    float size_1 = abs(coded_1);
-    float value_1 = ((size_1 <= 0.04045) ? (size_1 / 12.92) : pow(((size_1 + 0.055) / 1.055), 2.4));
-    return value_1;
+    float size = abs(coded);
+    float value = ((size <= 0.04045) ? (size / 12.92) : pow(((size + 0.055) / 1.055), 2.4));
+    return value;
 }
 
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 float srgb_of_linear(float light)
 {
-    float size_2 = abs(light);
-    const float _e3 = powered(size_2, 0.41666666);
-    float value_2 = ((size_2 <= 0.0031308) ? (size_2 * 12.92) : ((1.055 * _e3) - 0.055));
-    return ((light < 0.0) ? -(value_2) : value_2);
+    float size = abs(light);
+    const float powered_value = powered(size, 0.41666666);
+    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * powered_value) - 0.055));
+    return ((light < 0.0) ? -(value) : value);
 }
 
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 float3 oklab_of_linear(float3 rgb)
 {
-    const float _e8 = powered(abs(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    const float _e16 = powered(abs(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    const float _e24 = powered(abs(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return float3((((0.21045426 * _e8) + (0.7936178 * _e16)) - (0.004072047 * _e24)), (((1.9779985 * _e8) - (2.4285922 * _e16)) + (0.4505937 * _e24)), (((0.025904037 * _e8) + (0.78277177 * _e16)) - (0.80867577 * _e24)));
+    const float l = powered(abs(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    const float m = powered(abs(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
+    const float s = powered(abs(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
-float3 oklab_of_linear_2_(float3 rgb_1)
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
+float3 oklab_of_linear_2(float3 rgb)
 {
-    float l = pow(abs(dot(rgb_1, float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    float m = pow(abs(dot(rgb_1, float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s_3 = pow(abs(dot(rgb_1, float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s_3)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s_3)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s_3)));
+    float l = pow(abs(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    float m = pow(abs(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
+    float s = pow(abs(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
-float3 oklab_of_linear_3_(float3 rgb_2)
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
+float3 oklab_of_linear_3(float3 rgb)
 {
-    float l_1 = pow(dot(rgb_2, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
-    float m_1 = pow(dot(rgb_2, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s_4 = pow(dot(rgb_2, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return float3((((0.21045426 * l_1) + (0.7936178 * m_1)) - (0.004072047 * s_4)), (((1.9779985 * l_1) - (2.4285922 * m_1)) + (0.4505937 * s_4)), (((0.025904037 * l_1) + (0.78277177 * m_1)) - (0.80867577 * s_4)));
+    float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
+    float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
+    float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
+    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
 }
 
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l_2 = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m_2 = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s_5 = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l_2 * l_2) * l_2), ((m_2 * m_2) * m_2), ((s_5 * s_5) * s_5));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
+    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
-float3 oklab_of_srgb(float3 coded_2)
+/// [`oklab_of_linear`] of an sRGB-coded color.
+float3 oklab_of_srgb(float3 coded)
 {
-    const float3 _e23 = oklab_of_linear_3_(float3(pow(((coded_2.x + 0.055) / 1.055), 2.4), pow(((coded_2.y + 0.055) / 1.055), 2.4), pow(((coded_2.z + 0.055) / 1.055), 2.4)));
-    return _e23;
+    const float3 oklab_of_linear_3_value = oklab_of_linear_3(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear_3_value;
 }
 
-float3 srgb_of_oklab(float3 lab_1)
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
+float3 srgb_of_oklab(float3 lab)
 {
-    const float3 _e1 = linear_of_oklab(lab_1);
-    const float _e3 = srgb_of_linear(_e1.x);
-    const float _e5 = srgb_of_linear(_e1.y);
-    const float _e7 = srgb_of_linear(_e1.z);
-    return float3(_e3, _e5, _e7);
+    const float3 light = linear_of_oklab(lab);
+    return float3(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-float3 palette_blend(Ramp palette, float3 rgb_3, float softness)
+/// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
+/// there with the colors that are up to `softness` farther. Black for a palette without colors.
+float3 palette_blend(Ramp palette, float3 rgb, float softness)
 {
-    float4 colors[16] = (float4[16])0;
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 0u;
     float3 found = (0.0).xxx;
     float nearest = 1e30;
 
     colors = palette.colors;
-    const float _e6 = linear_of_srgb_2_(rgb_3.x);
-    const float _e8 = linear_of_srgb_2_(rgb_3.y);
-    const float _e10 = linear_of_srgb_2_(rgb_3.z);
-    const float3 _e12 = oklab_of_linear_2_(float3(_e6, _e8, _e10));
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    const float3 wanted = oklab_of_linear_2(float3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y), linear_of_srgb_2(rgb.z)));
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            i = (i + 1u);
         }
         loop_init = false;
-        uint _e20 = i;
-        if (!((_e20 < 7u))) {
+        if (!((i < 7u))) {
             break;
         }
-        uint _e24 = i;
-        float4 _e26 = colors[min(uint(_e24), 15u)];
-        const float3 _e28 = oklab_of_srgb(_e26.xyz);
-        float far = min(length((_e28 - _e12)), 1e29);
-        float3 _e33 = found;
-        uint _e34 = i;
-        float4 _e36 = colors[min(uint(_e34), 15u)];
-        float _e38 = nearest;
-        found = ((far < _e38) ? _e36.xyz : _e33);
-        float _e41 = nearest;
-        nearest = min(_e41, far);
+        const float3 lab = oklab_of_srgb(colors[min(uint(i), 15u)].xyz);
+        float far = min(length((lab - wanted)), 1e29);
+        float4 colors_now = colors[min(uint(i), 15u)];
+        found = ((far < nearest) ? colors_now.xyz : found);
+        nearest = min(nearest, far);
     }
-    float3 _e46 = found;
-    return _e46;
+    return found;
 }
 
-float4 posterize_lightness(float4 color, int steps, float softness_1)
+/// Posterize
+///
+/// Reduces a color to a few steps, as screen prints and old posters do. By lightness the hue stays
+/// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
+/// is the look of early computers.
+float4 posterize_lightness(float4 color, int steps, float softness)
 {
-    const float _e4 = linear_of_srgb(color.x);
-    const float _e6 = linear_of_srgb(color.y);
-    const float _e8 = linear_of_srgb(color.z);
-    const float3 _e10 = oklab_of_linear(float3(_e4, _e6, _e8));
-    const float _e19 = footprint_of(_e10.x);
-    const float _e24 = stairs_filtered((7.0 * clamp(_e10.x, 0.0, 1.0)), 7.0, length(float2((7.0 * _e19), softness_1)));
-    float stepped = clamp((_e24 / 6.0), 0.0, 1.0);
-    float kept = ((_e10.x > 0.0001) ? (stepped / max(_e10.x, 0.0001)) : 0.0);
-    const float3 _e44 = srgb_of_oklab(float3(stepped, (_e10.yz * min(kept, 1.0))));
-    return float4(clamp(_e44, (0.0).xxx, (1.0).xxx), 1.0);
+    const float3 lab = oklab_of_linear(float3(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z)));
+    const float stairs_filtered_value = stairs_filtered((7.0 * clamp(lab.x, 0.0, 1.0)), 7.0, length(float2((7.0 * footprint_of(lab.x)), softness)));
+    float stepped = clamp((stairs_filtered_value / 6.0), 0.0, 1.0);
+    float kept = ((lab.x > 0.0001) ? (stepped / max(lab.x, 0.0001)) : 0.0);
+    return float4(clamp(srgb_of_oklab(float3(stepped, (lab.yz * min(kept, 1.0)))), (0.0).xxx, (1.0).xxx), 1.0);
 }
 
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
 }
 
-float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool clamped)
+/// Blend
+///
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * color_1.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -425,21 +445,26 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light_1, float4 color_2, float tone_1)
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+LitLayer light_apply(Light light, float4 color, float tone)
 {
-    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-Angle parametrization_specular_balanced(Light light_2, float3 normal, float3 view)
+Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d_1 = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_5 = ConstructAngle((0.5 * length((d_1 - light_2.direction))), (0.5 * length((d_1 + light_2.direction))));
+    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
+    const Angle angle_5 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
     return angle_5;
 }
 
-float profile_power(float q, float exponent_1)
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+float profile_power(float q, float exponent)
 {
     float log_base = 0.0;
 
@@ -447,168 +472,170 @@ float profile_power(float q, float exponent_1)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e11 = log1p_negative_small((q * q));
-        log_base = (LOG2_E * _e11);
+        log_base = (LOG2_E * log1p_negative_small((q * q)));
     } else {
-        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e18;
+        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
     }
-    float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent_1 * _e19));
-    return min(_e21, 1.0);
+    return min(exp2_stable((exponent * log_base)), 1.0);
 }
 
-float profile_point(Angle u_3, ProfileShape shape)
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point(Angle u, ProfileShape shape)
 {
-    float s_6 = (u_3.half_sin - (u_3.half_cos * 0.0));
-    if (((s_6 <= 0.0) | false)) {
+    float s = (u.half_sin - (u.half_cos * 0.0));
+    if (((s <= 0.0) | false)) {
         return 1.0;
     }
-    float q_2 = (s_6 * shape.scale);
-    const float _e15 = profile_power(q_2, shape.exponent);
-    return _e15;
+    float q = (s * shape.scale);
+    return profile_power(q, shape.exponent);
 }
 
-float profile_point_2_(Angle u_4, ProfileShape shape_1)
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point_2(Angle u, ProfileShape shape)
 {
-    float s_7 = (u_4.half_sin - 0.0);
-    if (((s_7 <= 0.0) | false)) {
+    float s = (u.half_sin - 0.0);
+    if (((s <= 0.0) | false)) {
         return 1.0;
     }
-    float q_3 = (s_7 * shape_1.scale);
-    const float _e13 = profile_power(q_3, shape_1.exponent);
-    return _e13;
+    float q = (s * shape.scale);
+    return profile_power(q, shape.exponent);
 }
 
-float profile_power_2_(float q_1, float exponent_2)
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+float profile_power_2(float q, float exponent)
 {
-    float log_base_1 = 0.0;
+    float log_base = 0.0;
 
-    if ((q_1 >= 1.0)) {
+    if ((q >= 1.0)) {
         return 0.0;
     }
-    if ((q_1 < 0.5)) {
-        const float _e11 = log1p_negative_small((q_1 * q_1));
-        log_base_1 = (LOG2_E * _e11);
+    if ((q < 0.5)) {
+        log_base = (LOG2_E * log1p_negative_small((q * q)));
     } else {
-        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
-        log_base_1 = _e18;
+        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
     }
-    float _e19 = log_base_1;
-    const float _e21 = exp2_stable_2_((exponent_2 * _e19));
-    return min(_e21, 1.0);
+    return min(exp2_stable_2((exponent * log_base)), 1.0);
 }
 
-float profile_point_3_(Angle u_5, ProfileShape shape_2)
+/// alpha at one angle, without antialiasing; `u` is warped already.
+float profile_point_3(Angle u, ProfileShape shape)
 {
-    float s_8 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
-    if (((s_8 <= 0.0) | false)) {
+    float s = ((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset));
+    if (((s <= 0.0) | false)) {
         return 1.0;
     }
-    float q_4 = (s_8 * shape_2.scale);
-    const float _e17 = profile_power_2_(q_4, shape_2.exponent);
-    return _e17;
+    float q = (s * shape.scale);
+    return profile_power_2(q, shape.exponent);
 }
 
-float profile_filtered(Angle u_6, float w_1, ProfileShape shape_3)
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered(Angle u, float w, ProfileShape shape)
 {
-    const float _e3 = profile_point(u_6, shape_3);
-    bool is_wide = (w_1 < (0.1 * shape_3.edge_deviation));
-    if (((is_wide | (w_1 <= 0.0)) | false)) {
-        return _e3;
+    const float point_ = profile_point(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide | (w <= 0.0)) | false)) {
+        return point_;
     }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_1));
-    const Angle _e16 = angle_turned(u_6, _e15);
-    const float _e17 = profile_point(_e16, shape_3);
-    const Angle _e22 = angle_turned(u_6, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_3);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    const float2 reach = sin_cos_tiny((0.19364917 * w));
+    const float before = profile_point(angle_turned(u, reach), shape);
+    const float after = profile_point(angle_turned(u, float2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_2_(Angle u_7, float w_2, ProfileShape shape_4)
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered_2(Angle u, float w, ProfileShape shape)
 {
-    const float _e3 = profile_point_2_(u_7, shape_4);
-    bool is_wide_1 = (w_2 < (0.1 * shape_4.edge_deviation));
-    if (((is_wide_1 | (w_2 <= 0.0)) | false)) {
-        return _e3;
+    const float point_ = profile_point_2(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide | (w <= 0.0)) | false)) {
+        return point_;
     }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_2));
-    const Angle _e16 = angle_turned(u_7, _e15);
-    const float _e17 = profile_point_2_(_e16, shape_4);
-    const Angle _e22 = angle_turned(u_7, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point(_e22, shape_4);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    const float2 reach = sin_cos_tiny((0.19364917 * w));
+    const float before = profile_point_2(angle_turned(u, reach), shape);
+    const float after = profile_point(angle_turned(u, float2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile_filtered_3_(Angle u_8, float w_3, ProfileShape shape_5)
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+float profile_filtered_3(Angle u, float w, ProfileShape shape)
 {
-    const float _e3 = profile_point_3_(u_8, shape_5);
-    bool is_wide_2 = (w_3 < (0.1 * shape_5.edge_deviation));
-    if (((is_wide_2 | (w_3 <= 0.0)) | false)) {
-        return _e3;
+    const float point_ = profile_point_3(u, shape);
+    bool is_wide = (w < (0.1 * shape.edge_deviation));
+    if (((is_wide | (w <= 0.0)) | false)) {
+        return point_;
     }
-    const float2 _e15 = sin_cos_tiny((0.19364917 * w_3));
-    const Angle _e16 = angle_turned(u_8, _e15);
-    const float _e17 = profile_point_3_(_e16, shape_5);
-    const Angle _e22 = angle_turned(u_8, float2(-(_e15.x), _e15.y));
-    const float _e23 = profile_point_3_(_e22, shape_5);
-    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+    const float2 reach = sin_cos_tiny((0.19364917 * w));
+    const float before = profile_point_3(angle_turned(u, reach), shape);
+    const float after = profile_point_3(angle_turned(u, float2(-(reach.x), reach.y)), shape);
+    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
 }
 
-float profile(Angle angle, float shift, ProfileShape shape_6)
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile(Angle angle, float shift, ProfileShape shape)
 {
-    const float2 _e5 = sin_cos_tiny((0.5 * shift));
-    const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered(_e6, _e7, shape_6);
-    return _e8;
+    const Angle warped = angle_turned(angle, sin_cos_tiny((0.5 * shift)));
+    return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned_2_(angle_1, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
-    return _e8;
+    const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+float profile_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle _e6 = angle_turned_2_(angle_2, float2(0.0, 1.0));
-    const float _e7 = angle_footprint(_e6);
-    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
-    return _e8;
+    const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
+    return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float evening_sun_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.12), -20.0, 20.0))))))));
-    const float4 _e30 = curvature_color(evening_sun_convexity, float4(0.93, 0.62, 0.36, 1.0), float4(0.66, 0.24, 0.24, 1.0));
-    float3 _e35 = look.key.direction;
-    float3 _e44 = look.key.direction;
-    Angle evening_sun_angle = ConstructAngle((0.5 * length((surface.normal - _e35))), (0.5 * length((surface.normal + _e44))));
+    const float4 evening_sun_color = curvature_color(evening_sun_convexity, float4(0.93, 0.62, 0.36, 1.0), float4(0.66, 0.24, 0.24, 1.0));
+    Angle evening_sun_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
     float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
-    const float _e57 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
-    Light _e60 = look.key;
-    const LitLayer _e61 = light_apply(_e60, _e30, _e57);
-    const float4 _e71 = blend_add(float4(0.07, 0.1, 0.22, 1.0), _e61.color, _e61.tone, 1.0, true);
-    float3 _e76 = look.sky.direction;
-    float3 _e85 = look.sky.direction;
-    Angle sky_angle = ConstructAngle((0.5 * length((surface.normal - _e76))), (0.5 * length((surface.normal + _e85))));
-    const float _e93 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e96 = look.sky;
-    const LitLayer _e102 = light_apply(_e96, float4(0.02, 0.24, 0.3, 1.0), _e93);
-    const float4 _e107 = blend_add(_e71, _e102.color, _e102.tone, 1.0, true);
-    Light _e110 = look.key;
-    const Angle _e113 = parametrization_specular_balanced(_e110, surface.normal, surface.view);
-    const float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
-    Light _e119 = look.key;
-    const LitLayer _e125 = light_apply(_e119, float4(0.42, 0.38, 0.24, 1.0), _e116);
-    const float4 _e130 = blend_add(_e107, _e125.color, _e125.tone, 1.0, true);
-    const float4 _e133 = posterize_lightness(_e130, int(7), 0.02);
-    const float3 _e137 = palette_blend(seven_inks, _e133.xyz, 0.0);
-    float4 seven_inks_2_ = float4(_e137, 1.0);
-    return seven_inks_2_;
+    const float evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
+    const LitLayer evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
+    const float4 evening_sun_blend = blend_add(float4(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
+    Angle sky_angle = ConstructAngle((0.5 * length((surface.normal - look.sky.direction))), (0.5 * length((surface.normal + look.sky.direction))));
+    const float sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
+    const LitLayer sky_lit = light_apply(look.sky, float4(0.02, 0.24, 0.3, 1.0), sky_tone);
+    const float4 sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+    const Angle glow_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    const float glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
+    const LitLayer glow_lit = light_apply(look.key, float4(0.42, 0.38, 0.24, 1.0), glow_tone);
+    const float4 glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
+    const float4 seven_lightnesses = posterize_lightness(glow_blend, int(7), 0.02);
+    float4 seven_inks_2 = float4(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
+    return seven_inks_2;
 }
 
 Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
@@ -621,11 +648,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_1.clip_from_world;
-    float3x3 _e15 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, mul(vertex.normal, _e15));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -646,12 +670,9 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_3 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    float4 _e23 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface_1 = ConstructSurface(normal_3, normalize((_e8.xyz - (_e13 * in_.position))), _e23.x);
-    const float4 _e26 = shade(surface_1);
-    return _e26;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    return shade(surface);
 }

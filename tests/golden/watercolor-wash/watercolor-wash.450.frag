@@ -6,25 +6,34 @@
 struct View {
     mat4x4 clip_from_world;
     mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
 struct Object {
     mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
-    float cutoff;
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     vec3 direction;
+    /// Unit, toward the light, in the light's own frame.
     vec3 own_direction;
+    /// Straight RGB.
     vec3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
@@ -32,26 +41,42 @@ struct Surface {
     vec2 pixel;
     vec3 anchor;
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     vec4 colors[16];
+    /// Places of the stops, in increasing order, four to a vector.
     vec4 places[4];
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
 };
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     vec2 place;
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     vec3 stretch;
 };
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
 struct MarkPlace {
+    /// Along the strokes, and across them.
     vec2 place;
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
 struct PaperGrain {
+    /// The tone as the paper shows it.
     float tone;
+    /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
 struct Varyings {
@@ -62,6 +87,7 @@ struct Varyings {
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
 const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0), vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0), vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
@@ -76,612 +102,515 @@ layout(location = 1) smooth in vec3 v_position_object;
 layout(location = 2) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-vec4 finite_vec4_(vec4 v) {
+/// v with 0 for each component that is NaN or infinite.
+vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
-    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
-    float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
-    return _e5;
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+vec3 normalize_seen(vec3 v) {
+    return normalize_moderate(v, vec3(0.0, 0.0, 1.0));
 }
 
-float bounded(float x_1) {
-    uint bits_1 = floatBitsToUint(x_1);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
+    uint magnitude = (bits & 2147483647u);
+    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    uvec3 bits_2 = floatBitsToUint(v_3);
-    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
-    vec3 largest_1 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
-    vec3 numbers = mix(vec3(0.0), largest_1, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
+/// [`bounded`], component by component.
+vec3 bounded_vec3(vec3 v) {
+    uvec3 bits = floatBitsToUint(v);
+    uvec3 magnitude = (bits & uvec3(2147483647u));
+    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_4) {
-    uvec4 bits_3 = floatBitsToUint(v_4);
-    uvec4 magnitude_2 = (bits_3 & uvec4(2147483647u));
-    vec4 largest_2 = uintBitsToFloat(((bits_3 & uvec4(2147483648u)) | uvec4(2139095039u)));
-    vec4 numbers_1 = mix(vec4(0.0), largest_2, equal(magnitude_2, uvec4(2139095040u)));
-    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec4(2139095040u)));
+/// [`bounded`], component by component.
+vec4 bounded_vec4(vec4 v) {
+    uvec4 bits = floatBitsToUint(v);
+    uvec4 magnitude = (bits & uvec4(2147483647u));
+    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
+    return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
 
+/// a / b; 0 where b is 0.
 float divided(float a, float b) {
     if ((abs(b) < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e7 = bounded((a / b));
-    return _e7;
+    return bounded((a / b));
 }
 
-vec3 mixed_vec3_(vec3 a_1, vec3 b_1, float t) {
-    vec3 _e4 = bounded_vec3_((b_1 - a_1));
-    vec3 _e14 = bounded_vec3_(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
-    return _e14;
+/// [`mixed`], component by component.
+vec3 mixed_vec3(vec3 a, vec3 b, float t) {
+    vec3 d = bounded_vec3((b - a));
+    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-vec3 mixed_vec3_2_(vec3 a_2, vec3 b_2, float t_1) {
-    vec3 d_1 = (b_2 - a_2);
-    vec3 _e13 = bounded_vec3_(((t_1 < 0.5) ? (a_2 + (t_1 * d_1)) : (b_2 - ((1.0 - t_1) * d_1))));
-    return _e13;
+/// [`mixed`], component by component.
+vec3 mixed_vec3_2(vec3 a, vec3 b, float t) {
+    vec3 d = (b - a);
+    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
-    vec4 _e4 = bounded_vec4_((b_3 - a_3));
-    vec4 _e14 = bounded_vec4_(((t_2 < 0.5) ? (a_3 + (t_2 * _e4)) : (b_3 - ((1.0 - t_2) * _e4))));
-    return _e14;
+/// [`mixed`], component by component.
+vec4 mixed_vec4(vec4 a, vec4 b, float t) {
+    vec4 d = bounded_vec4((b - a));
+    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
 }
 
-float eased(float x_2, float low, float high) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded(((_e3 - low) / 0.5));
-    float t_5 = clamp(_e7, 0.0, 1.0);
-    return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased(float x, float low, float high) {
+    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float eased_2_(float x_3, float low_1, float high_1) {
-    float t_6 = clamp(((x_3 - low_1) / (high_1 - low_1)), 0.0, 1.0);
-    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased_2(float x, float low, float high) {
+    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
+    return ((t * t) * (3.0 - (2.0 * t)));
 }
 
-float footprint_of(float x_4) {
-    float _e1 = dFdx(x_4);
-    float _e2 = dFdy(x_4);
-    vec2 d_2 = vec2(_e1, _e2);
-    return sqrt(dot(d_2, d_2));
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x) {
+    vec2 d = vec2(dFdx(x), dFdy(x));
+    return sqrt(dot(d, d));
 }
 
-float footprint_of_vec3_(vec3 v_5) {
-    vec3 dx = dFdx(v_5);
-    vec3 dy = dFdy(v_5);
-    float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-    return _e7;
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(vec3 v) {
+    vec3 dx = dFdx(v);
+    vec3 dy = dFdy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-vec4 color_mixed(vec4 a_4, vec3 blended, float factor) {
-    vec3 _e4 = bounded_vec3_(a_4.xyz);
-    vec3 _e5 = bounded_vec3_(blended);
-    vec3 _e7 = bounded_vec3_((_e5 - _e4));
-    vec3 _e10 = bounded_vec3_((_e4 + (factor * _e7)));
-    return vec4(_e10, 1.0);
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
+vec4 color_mixed(vec4 a, vec3 blended, float factor) {
+    vec3 a_2 = bounded_vec3(a.xyz);
+    return vec4(bounded_vec3((a_2 + (factor * bounded_vec3((bounded_vec3(blended) - a_2))))), 1.0);
 }
 
-vec4 hermite(vec4 a_5, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {
-    vec4 d_3 = (b_4 - a_5);
-    return (a_5 + (t_3 * (from_a + (t_3 * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_3))))))));
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
+vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
+    vec4 d = (b - a);
+    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after) {
     if (((before * after) <= 0.0)) {
         return 0.0;
     }
     float weight_before = ((2.0 * span_after) + span_before);
     float weight_after = (span_after + (2.0 * span_before));
-    float _e18 = divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
-    return _e18;
+    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
 }
 
-vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float span_after_1) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return vec4(_e8, _e13, _e18, _e23);
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
+vec4 ramp_slope(vec4 rise_before, float span_before, vec4 rise_after, float span_after) {
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float divided_value = divided(rise_after.y, span_after);
+    float divided_value_1 = divided(rise_after.z, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float divided_value_2 = divided(rise_after.w, span_after);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
+    return vec4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
-vec4 ramp_at(Ramp ramp, float x_5, float w) {
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
+vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2_ = 1u;
+    uint i_2 = 1u;
     uint at = 0u;
-    vec4 from_a_1 = vec4(0.0);
-    vec4 to_b_1 = vec4(0.0);
+    vec4 from_a = vec4(0.0);
+    vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e25 = i_2_;
-            i_2_ = (_e25 + 1u);
+            i_2 = (i_2 + 1u);
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 4u))) {
+        if (!((i_2 < 4u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e18 = i_2_;
-        float _e22 = places[0][(_e18 % 4u)];
-        at = ((_e22 <= x_5) ? _e16 : _e15);
+        float places_now = places[0][(i_2 % 4u)];
+        at = ((places_now <= x) ? i_2 : at);
     }
-    uint _e29 = at;
-    float place_4 = places[0][(_e29 % 4u)];
-    uint _e34 = at;
-    if ((((_e34 + 1u) >= 4u) || (x_5 <= place_4))) {
-        uint _e41 = at;
-        vec4 _e43 = colors[_e41];
-        return _e43;
+    float place = places[0][(at % 4u)];
+    if ((((at + 1u) >= 4u) || (x <= place))) {
+        return colors[at];
     }
-    uint _e44 = at;
-    uint after_1 = (_e44 + 1u);
-    float _e53 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span = (_e53 - place_4);
-    float _e56 = divided((x_5 - place_4), span);
-    float t_7 = clamp(_e56, 0.0, 1.0);
-    uint _e63 = at;
-    if ((_e63 > 0u)) {
-        uint _e66 = at;
-        uint _e72 = at;
-        float before_1 = places[((_e66 - 1u) / 4u)][((_e72 - 1u) % 4u)];
-        uint _e79 = at;
-        vec4 _e81 = colors[_e79];
-        uint _e82 = at;
-        vec4 _e86 = colors[(_e82 - 1u)];
-        vec4 _e90 = colors[after_1];
-        uint _e91 = at;
-        vec4 _e93 = colors[_e91];
-        vec4 _e95 = ramp_slope((_e81 - _e86), (place_4 - before_1), (_e90 - _e93), span);
-        from_a_1 = _e95;
+    uint after = (at + 1u);
+    float span = (places[(after / 4u)][(after % 4u)] - place);
+    float t = clamp(divided((x - place), span), 0.0, 1.0);
+    if ((at > 0u)) {
+        float before = places[((at - 1u) / 4u)][((at - 1u) % 4u)];
+        from_a = ramp_slope((colors[at] - colors[(at - 1u)]), (place - before), (colors[after] - colors[at]), span);
     }
-    if (((after_1 + 1u) < 4u)) {
-        float _e113 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e113 - (place_4 + span));
-        vec4 _e117 = colors[after_1];
-        uint _e118 = at;
-        vec4 _e120 = colors[_e118];
-        vec4 _e125 = colors[(after_1 + 1u)];
-        vec4 _e127 = colors[after_1];
-        vec4 _e129 = ramp_slope((_e117 - _e120), span, (_e125 - _e127), next);
-        to_b_1 = _e129;
+    if (((after + 1u) < 4u)) {
+        float next = (places[((after + 1u) / 4u)][((after + 1u) % 4u)] - (place + span));
+        to_b = ramp_slope((colors[after] - colors[at]), span, (colors[(after + 1u)] - colors[after]), next);
     }
-    uint _e130 = at;
-    vec4 _e132 = colors[_e130];
-    vec4 _e134 = colors[after_1];
-    vec4 _e135 = from_a_1;
-    vec4 _e137 = to_b_1;
-    vec4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_7);
-    vec4 _e140 = bounded_vec4_(_e139);
-    return _e140;
+    return bounded_vec4(hermite(colors[at], colors[after], (span * from_a), (span * to_b), t));
 }
 
-vec4 mix_colors_multiply(vec4 a_6, vec4 b_5, float factor_1) {
-    vec3 _e7 = mixed_vec3_2_(a_6.xyz, (a_6.xyz * b_5.xyz), factor_1);
-    return vec4(_e7, 1.0);
+vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
+    return vec4(mixed_vec3_2(a.xyz, (a.xyz * b.xyz), factor), 1.0);
 }
 
-vec4 mix_colors_multiply_2_(vec4 a_7, vec4 b_6, float factor_2) {
-    vec3 blended_1 = (a_7.xyz * b_6.xyz);
-    vec3 _e7 = bounded_vec3_(a_7.xyz);
-    vec3 _e9 = bounded_vec3_((blended_1 - _e7));
-    float _e14 = bounded(a_7.w);
-    return vec4((blended_1 - (0.25 * _e9)), _e14);
+vec4 mix_colors_multiply_2(vec4 a, vec4 b, float factor) {
+    vec3 blended = (a.xyz * b.xyz);
+    return vec4((blended - (0.25 * bounded_vec3((blended - bounded_vec3(a.xyz))))), bounded(a.w));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
-    return _e61;
+    uvec3 v = uvec3(0u);
+    v = ((seed * 1664525u) + uvec3(1013904223u));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> uvec3(16u)));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
+/// The hash of a lattice point.
+uvec3 lattice_hash(ivec3 cell, uint seed) {
+    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_8 = ((axis == 0u) ? d.y : d.x);
-    float b_7 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_8 : -(a_8)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7)));
+    float a = ((axis == 0u) ? d.y : d.x);
+    float b = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
 }
 
-vec3 fade_quintic(vec3 t_4) {
-    return (((t_4 * t_4) * t_4) * ((t_4 * ((t_4 * 6.0) - vec3(15.0))) + vec3(10.0)));
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
+vec3 fade_quintic(vec3 t) {
+    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
 }
 
-float perlin_noise(vec3 p, uint seed_2) {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d_4 = (p - corner);
-    vec3 _e4 = fade_quintic(d_4);
-    ivec3 cell_1 = ivec3(corner);
-    bool loop_init_1 = true;
+    vec3 d = (p - corner);
+    vec3 f = fade_quintic(d);
+    ivec3 cell = ivec3(corner);
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            int _e46 = i;
-            i = (_e46 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_1 = false;
-        int _e10 = i;
-        if ((_e10 < 8)) {
+        loop_init = false;
+        if ((i < 8)) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            ivec3 at_2 = ivec3((_e13 & 1), ((_e16 >> 1u) & 1), (_e21 >> 2u));
-            vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at_2, ivec3(1)));
-            float _e32 = sum;
-            uvec3 _e39 = lattice_hash((cell_1 + at_2), seed_2);
-            float _e42 = gradient_dot(_e39, (d_4 - vec3(at_2)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+            float gradient_dot_value = gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)));
+            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
         }
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float perlin_noise_2_(vec3 p_1, uint seed_3) {
-    int i_1 = 0;
-    float sum_1 = 0.0;
-    vec3 corner_1 = floor(p_1);
-    vec3 d_5 = (p_1 - corner_1);
-    vec3 f = (((d_5 * d_5) * d_5) * ((d_5 * ((d_5 * 6.0) - vec3(15.0))) + vec3(10.0)));
-    ivec3 cell_2 = ivec3(corner_1);
-    bool loop_init_2 = true;
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise_2(vec3 p, uint seed) {
+    int i = 0;
+    float sum = 0.0;
+    vec3 corner = floor(p);
+    vec3 d = (p - corner);
+    vec3 f = (((d * d) * d) * ((d * ((d * 6.0) - vec3(15.0))) + vec3(10.0)));
+    ivec3 cell = ivec3(corner);
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_2) {
-            int _e64 = i_1;
-            i_1 = (_e64 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_2 = false;
-        int _e21 = i_1;
-        if (!((_e21 < 8))) {
+        loop_init = false;
+        if (!((i < 8))) {
             break;
         }
-        int _e25 = i_1;
-        int _e28 = i_1;
-        int _e33 = i_1;
-        ivec3 at_3 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight_1 = mix((vec3(1.0) - f), f, equal(at_3, ivec3(1)));
-        float _e44 = sum_1;
-        uvec3 _e58 = hash_pcg3d((uvec3((cell_2 + at_3)) + (seed_3 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        float _e61 = gradient_dot(_e58, (d_5 - vec3(at_3)));
-        sum_1 = (_e44 + (((weight_1.x * weight_1.y) * 0.5) * _e61));
+        ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+        vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
+        uvec3 hash_pcg3d_value = hash_pcg3d((uvec3((cell + at)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - vec3(at)))));
     }
-    float _e67 = sum_1;
-    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
+    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
 }
 
-float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_4, float w_1) {
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i_2 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_2 = 0.0;
-    bool loop_init_3 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_3) {
-            int _e66 = i_2;
-            i_2 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_3 = false;
-        int _e17 = i_2;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased((w_1 * _e21), 0.5, 1.0);
-        float visible = (1.0 - _e25);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
         octave = 0.5;
         if ((visible > 0.0)) {
-            float _e31 = frequency;
-            int _e33 = i_2;
-            vec3 place_5 = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_2;
-            float _e50 = perlin_noise(place_5, (11u + uint(_e47)));
-            octave = mix(0.5, _e50, visible);
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (11u + uint(i))), visible);
         }
-        float _e53 = sum_2;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_2 = (_e53 + (_e54 * _e55));
-        float _e58 = total;
-        float _e59 = strength;
-        total = (_e58 + _e59);
-        float _e61 = strength;
-        strength = (_e61 * roughness);
-        float _e63 = frequency;
-        frequency = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_2;
-    return min((_e69 / 1.5), 1.0);
+    return min((sum / 1.5), 1.0);
 }
 
-float fractal_noise_2_(uint kind_1, vec3 p_3, int octaves_1, float roughness_1, int seed_5, float w_2) {
-    float octave_1 = 0.0;
-    int i_3 = 0;
-    float frequency_1 = 1.0;
-    float strength_1 = 1.0;
-    float total_1 = 0.0;
-    float sum_3 = 0.0;
-    bool loop_init_4 = true;
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
+    float octave = 0.0;
+    int i = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_4) {
-            int _e66 = i_3;
-            i_3 = (_e66 + 1);
+        if (!loop_init) {
+            i = (i + 1);
         }
-        loop_init_4 = false;
-        int _e17 = i_3;
-        if (!((_e17 < 4))) {
+        loop_init = false;
+        if (!((i < 4))) {
             break;
         }
-        float _e21 = frequency_1;
-        float _e25 = eased((w_2 * _e21), 0.5, 1.0);
-        float visible_1 = (1.0 - _e25);
-        octave_1 = 0.5;
-        if ((visible_1 > 0.0)) {
-            float _e31 = frequency_1;
-            int _e33 = i_3;
-            vec3 place_6 = clamp(((p_3 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_3;
-            float _e50 = perlin_noise(place_6, (0u + uint(_e47)));
-            octave_1 = mix(0.5, _e50, visible_1);
+        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        octave = 0.5;
+        if ((visible > 0.0)) {
+            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
         }
-        float _e53 = sum_3;
-        float _e54 = strength_1;
-        float _e55 = octave_1;
-        sum_3 = (_e53 + (_e54 * _e55));
-        float _e58 = total_1;
-        float _e59 = strength_1;
-        total_1 = (_e58 + _e59);
-        float _e61 = strength_1;
-        strength_1 = (_e61 * roughness_1);
-        float _e63 = frequency_1;
-        frequency_1 = (_e63 * 2.0);
+        sum = (sum + (strength * octave));
+        total = (total + strength);
+        strength = (strength * roughness);
+        frequency = (frequency * 2.0);
     }
-    float _e69 = sum_3;
-    float _e70 = total_1;
-    return min((_e69 / _e70), 1.0);
+    return min((sum / total), 1.0);
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
+    // Clip space is 2 high.
     return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
-vec3 anchor_on_screen(vec3 origin, float perspective_1, float scale_1) {
-    float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    return clamp(vec3((origin.x * _e5), (-(origin.y) * _e5), _e5), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
+vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
+    float size = size_on_screen(-(origin.z), perspective, scale);
+    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
 }
 
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
     vec2 from_middle = (pixel - (0.5 * viewport));
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x_6 = ((turn.y * along) + (turn.x * across));
+    vec3 x = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
-    vec3 stretch_3 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
-    return StretchedPlace(turned, stretch_3);
+    vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
+    return StretchedPlace(turned, stretch);
 }
 
-SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_4 = (is_pixel ? (count / max(viewport_1.y, 1.0)) : count);
-    vec2 p_4 = clamp((place_1 * scale_4), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p_4, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-float area_square(vec3 stretch_1) {
-    float sum_4 = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_4 * sum_4) / 66.0));
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
+float area_square(vec3 stretch) {
+    float sum = (stretch.x + stretch.z);
+    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
 }
 
-MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 _e8 = place_in_picture(pixel_1, viewport_2);
-    vec2 place_7 = ((_e8 - vec2(anchor.x, -(anchor.y))) / vec2(size));
-    StretchedPlace _e26 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e26.place, _e26.stretch);
+    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
+    StretchedPlace m = mark_place_of(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    return MarkPlace(m.place, m.stretch);
 }
 
-float paper_octave(vec2 place_2, int zoom, float w_3, float fiber, uint seed_6) {
-    float scale_5 = uintBitsToFloat((uint((zoom + 127)) << 23u));
-    vec2 p_5 = clamp((place_2 * scale_5), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (seed_6 + (7u * uint(zoom)));
-    float _e23 = perlin_noise_2_(vec3(p_5, 0.5), own);
-    float grain = (_e23 - 0.5);
-    vec2 q = clamp((2.7 * vec2(((0.8 * p_5.x) - (0.6 * p_5.y)), ((0.6 * p_5.x) + (0.8 * p_5.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e52 = perlin_noise_2_(vec3(q, 0.5), (own + 1u));
-    float felt = (_e52 - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
+/// The height of paper in one octave; paper finer than a pixel is flat.
+float paper_octave(vec2 place, int zoom, float w, float fiber, uint seed) {
+    float scale = uintBitsToFloat((uint((zoom + 127)) << 23u));
+    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    uint own = (seed + (7u * uint(zoom)));
+    float grain = (perlin_noise_2(vec3(p, 0.5), own) - 0.5);
+    vec2 q = clamp((2.7 * vec2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), vec2(-4194304.0), vec2(4194304.0));
+    float felt = (perlin_noise_2(vec3(q, 0.5), (own + 1u)) - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_7) {
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// octaves are seen.
+float paper_height(SpacedPlace at, float fiber, uint seed) {
     float height = 0.0;
-    vec2 x_7 = dFdx(at_1.place);
-    vec2 y_1 = dFdy(at_1.place);
-    float w_4 = sqrt(max(dot(x_7, x_7), dot(y_1, y_1)));
-    float _e12 = area_square(at_1.stretch);
-    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_1 = floor(level);
-    float f_1 = (level - zoom_1);
-    float _e26 = paper_octave(at_1.place, int(zoom_1), w_4, fiber_1, seed_7);
-    height = _e26;
-    if ((f_1 > 0.0)) {
-        float _e30 = height;
-        float _e35 = paper_octave(at_1.place, (int(zoom_1) + 1), w_4, fiber_1, seed_7);
-        float both = mix(_e30, _e35, f_1);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
+    vec2 x = dFdx(at.place);
+    vec2 y = dFdy(at.place);
+    float w = sqrt(max(dot(x, x), dot(y, y)));
+    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float zoom = floor(level);
+    float f = (level - zoom);
+    height = paper_octave(at.place, int(zoom), w, fiber, seed);
+    if ((f > 0.0)) {
+        float both = mix(height, paper_octave(at.place, (int(zoom) + 1), w, fiber, seed), f);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
     }
-    float _e53 = height;
-    return _e53;
+    return height;
 }
 
-PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_1, float tooth, float fiber_2, int seed_8, vec2 viewport_3) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
-    float _e10 = paper_height(_e8, fiber_2, 0u);
-    return PaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
+PaperGrain paper_grain(float value, vec2 place, vec3 stretch, float count, float tooth, float fiber, int seed, vec2 viewport) {
+    float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
+    return PaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
 }
 
-float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_4) {
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
+float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0);
-    float _e15 = footprint_of(facing);
-    float distance_ = (facing / max((2.0 * _e15), 1e-6));
+    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
+    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
     float near = (1.0 - smoothstep(0.45, 0.75, facing));
     return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-float noise_perlin(vec3 position, float scale_2, int octaves_2, float roughness_2, int seed_9) {
-    vec3 p_6 = (position * scale_2);
-    float _e7 = footprint_of_vec3_(p_6);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_6, octaves_2, roughness_2, seed_9, _e7);
-    return _e8;
+float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-float noise_perlin_2_(vec3 position_1, float scale_3, int octaves_3, float roughness_3, int seed_10) {
-    vec3 p_7 = (position_1 * scale_3);
-    float _e7 = footprint_of_vec3_(p_7);
-    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_7, octaves_3, roughness_3, seed_10, _e7);
-    return _e8;
+float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, int seed) {
+    vec3 p = (position * scale);
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float _e6 = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
-    float spread = clamp(((_e6 - 0.32) / 0.36), 0.0, 1.0);
-    float _e15 = footprint_of(spread);
-    vec4 _e16 = ramp_at(two_pigments, spread, _e15);
-    vec3 _e21 = u_look.key.direction;
-    float shade_2_ = max(((dot(surface.normal, _e21) + 0.45) / 1.45), 0.0);
-    float tone = min(((shade_2_ - 0.0) / 0.85), 1.0);
-    float _e40 = noise_perlin_2_(surface.position_object, 2.2, 4, 0.55, 0);
-    float how_far_it_runs = mix(-0.24, 0.24, (_e40 - 0.0));
+    float drift = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
+    float spread = clamp(((drift - 0.32) / 0.36), 0.0, 1.0);
+    vec4 two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
+    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.45) / 1.45), 0.0);
+    float tone = min(((shade_2 - 0.0) / 0.85), 1.0);
+    float water = noise_perlin_2(surface.position_object, 2.2, 4, 0.55, 0);
+    float how_far_it_runs = mix(-0.24, 0.24, (water - 0.0));
     float wet_tone = (tone + how_far_it_runs);
-    float _e49 = eased_2_(wet_tone, 0.82, 0.7);
-    float k1_ = (_e49 * 0.62);
-    vec4 _e57 = mix_colors_multiply(vec4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
-    vec4 _e64 = mix_colors_multiply_2_(_e16, vec4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    float _e67 = eased_2_(wet_tone, 0.42, 0.34);
-    float k2_ = (_e67 * 0.6);
-    vec3 _e71 = bounded_vec3_(_e57.xyz);
-    vec3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));
-    vec3 _e76 = mixed_vec3_(_e71, _e75, k2_);
-    vec4 second_on_the_first = vec4(_e76, 1.0);
-    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * _e49);
-    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * _e67);
-    float k3_ = (max(pigment_s_rim, second_rim) * 0.34);
-    vec4 _e93 = color_mixed(second_on_the_first, (second_on_the_first.xyz * _e64.xyz), k3_);
-    vec2 _e99 = u_look.viewport;
-    MarkPlace _e100 = mark_place_object(0.0, surface.anchor, surface.pixel, _e99);
-    vec2 _e110 = u_look.viewport;
-    PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, 0, _e110);
-    float _e113 = bounded(_e111.tone);
-    float settled_pigment = mix(0.9, 1.03, (_e113 - 0.0));
-    vec4 _e123 = bounded_vec4_((_e93 * vec4(vec3(settled_pigment), 1.0)));
-    vec2 _e129 = u_look.viewport;
-    float _e130 = outer_contour(2.2, surface.normal, surface.view, _e129);
-    float soft = (_e130 * 0.7);
-    vec4 _e133 = bounded_vec4_(_e123);
-    vec4 _e139 = mixed_vec4_(_e133, vec4(0.2902, 0.2588, 0.2824, 1.0), soft);
-    vec4 _e140 = finite_vec4_(_e139);
-    return _e140;
+    float first_wash = eased_2(wet_tone, 0.82, 0.7);
+    float k1 = (first_wash * 0.62);
+    vec4 wash_on_paper = mix_colors_multiply(vec4(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
+    vec4 deeper = mix_colors_multiply_2(two_pigments_2, vec4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    float second_wash = eased_2(wet_tone, 0.42, 0.34);
+    float k2 = (second_wash * 0.6);
+    vec4 second_on_the_first = vec4(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3((wash_on_paper.xyz * deeper.xyz)), k2), 1.0);
+    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * first_wash);
+    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * second_wash);
+    float k3 = (max(pigment_s_rim, second_rim) * 0.34);
+    vec4 rims_2 = color_mixed(second_on_the_first, (second_on_the_first.xyz * deeper.xyz), k3);
+    MarkPlace sheet = mark_place_object(0.0, surface.anchor, surface.pixel, u_look.viewport);
+    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0, u_look.viewport);
+    float settled_pigment = mix(0.9, 1.03, (bounded(paper.tone) - 0.0));
+    vec4 grain = bounded_vec4((rims_2 * vec4(vec3(settled_pigment), 1.0)));
+    float pencil = outer_contour(2.2, surface.normal, surface.view, u_look.viewport);
+    float soft = (pencil * 0.7);
+    vec4 pencil_line = mixed_vec4(bounded_vec4(grain), vec4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    return finite_vec4(pencil_line);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
-    vec3 _e3 = normalize_seen(in_.normal);
-    vec3 normal_1 = (is_front ? _e3 : -(_e3));
-    vec4 _e8 = u_view.eye;
-    float _e13 = u_view.eye.w;
-    vec4 _e23 = u_view.screen;
-    vec4 _e28 = u_view.screen;
-    mat4x4 _e33 = u_view.camera_from_world;
-    vec4 _e37 = u_object.world_from_object[3];
-    float _e46 = u_view.eye.w;
-    float _e51 = u_view.clip_from_world[0][1];
-    float _e56 = u_view.clip_from_world[1][1];
-    float _e61 = u_view.clip_from_world[2][1];
-    vec3 _e64 = anchor_on_screen((_e33 * vec4(_e37.xyz, 1.0)).xyz, _e46, length(vec3(_e51, _e56, _e61)));
-    Surface surface_1 = Surface(normal_1, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, ((in_.clip.xy * _e23.xy) + _e28.zw), _e64);
-    vec4 _e66 = shade(surface_1);
-    vec4 _e67 = finite_vec4_(_e66);
-    out_color = _e67;
+    vec3 facing = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? facing : -(facing));
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value);
+    out_color = finite_vec4(shade(surface));
     return;
 }
 

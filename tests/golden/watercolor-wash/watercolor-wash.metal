@@ -1,6 +1,6 @@
 // Watercolor wash: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_1 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2).
 // watercolor-wash.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,27 +13,36 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
+    /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -49,30 +58,46 @@ struct type_6 {
 struct type_7 {
     metal::float4 inner[4];
 };
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
+    /// Straight RGBA of each stop.
     type_6 colors;
+    /// Places of the stops, in increasing order, four to a vector.
     type_7 places;
+    /// Number of stops that count.
     uint count;
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     uint interpolation;
     char _pad4[8];
 };
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     metal::float2 place;
     char _pad1[8];
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     metal::float3 stretch;
 };
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
 struct MarkPlace {
+    /// Along the strokes, and across them.
     metal::float2 place;
     char _pad1[8];
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
 struct PaperGrain {
+    /// The tone as the paper shows it.
     float tone;
+    /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
 struct Vertex {
@@ -87,71 +112,84 @@ struct Varyings {
 };
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
 constant Ramp two_pigments = Ramp {type_6 {{metal::float4(0.1843, 0.4353, 0.5608, 1.0), metal::float4(0.2471, 0.6039, 0.5255, 1.0), metal::float4(0.7882, 0.6353, 0.2353, 1.0), metal::float4(0.8471, 0.451, 0.3529, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.45, 0.75, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
 
-metal::float4 finite_vec4_(
+/// v with 0 for each component that is NaN or infinite.
+metal::float4 finite_vec4(
     metal::float4 v
 ) {
     metal::uint4 exponent = metal::uint4(2139095040u);
     return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(
     float x
 ) {
     uint bits = as_type<uint>(x);
-    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
-    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    int exponent = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    float z2 = z * z;
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
-    metal::float3 v_1,
+    metal::float3 v,
     metal::float3 otherwise
 ) {
-    float square = metal::dot(v_1, v_1);
-    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 float bounded(
-    float x_1
+    float x
 ) {
-    uint bits_1 = as_type<uint>(x_1);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
+    uint bits = as_type<uint>(x);
+    uint magnitude = bits & 2147483647u;
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
+/// [`bounded`], component by component.
+metal::float3 bounded_vec3(
+    metal::float3 v
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_3);
-    metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
-    metal::float3 largest_1 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest_1, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
+    metal::uint3 bits = as_type<metal::uint3>(v);
+    metal::uint3 magnitude = bits & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
-metal::float4 bounded_vec4_(
-    metal::float4 v_4
+/// [`bounded`], component by component.
+metal::float4 bounded_vec4(
+    metal::float4 v
 ) {
-    metal::uint4 bits_3 = as_type<metal::uint4>(v_4);
-    metal::uint4 magnitude_2 = bits_3 & metal::uint4(2147483647u);
-    metal::float4 largest_2 = as_type<metal::float4>((bits_3 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers_1 = metal::select(metal::float4(0.0), largest_2, magnitude_2 == metal::uint4(2139095040u));
-    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint4(2139095040u));
+    metal::uint4 bits = as_type<metal::uint4>(v);
+    metal::uint4 magnitude = bits & metal::uint4(2147483647u);
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
+/// a / b; 0 where b is 0.
 float divided(
     float a,
     float b
@@ -159,101 +197,103 @@ float divided(
     if (metal::abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e7 = bounded(a / b);
-    return _e7;
+    return bounded(a / b);
 }
 
-metal::float3 mixed_vec3_(
-    metal::float3 a_1,
-    metal::float3 b_1,
+/// [`mixed`], component by component.
+metal::float3 mixed_vec3(
+    metal::float3 a,
+    metal::float3 b,
     float t
 ) {
-    metal::float3 _e4 = bounded_vec3_(b_1 - a_1);
-    metal::float3 _e14 = bounded_vec3_((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
-    return _e14;
+    metal::float3 d = bounded_vec3(b - a);
+    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
 }
 
-metal::float3 mixed_vec3_2_(
-    metal::float3 a_2,
-    metal::float3 b_2,
-    float t_1
+/// [`mixed`], component by component.
+metal::float3 mixed_vec3_2(
+    metal::float3 a,
+    metal::float3 b,
+    float t
 ) {
-    metal::float3 d_1 = b_2 - a_2;
-    metal::float3 _e13 = bounded_vec3_((t_1 < 0.5) ? (a_2 + (t_1 * d_1)) : (b_2 - ((1.0 - t_1) * d_1)));
-    return _e13;
+    metal::float3 d = b - a;
+    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
 }
 
-metal::float4 mixed_vec4_(
-    metal::float4 a_3,
-    metal::float4 b_3,
-    float t_2
+/// [`mixed`], component by component.
+metal::float4 mixed_vec4(
+    metal::float4 a,
+    metal::float4 b,
+    float t
 ) {
-    metal::float4 _e4 = bounded_vec4_(b_3 - a_3);
-    metal::float4 _e14 = bounded_vec4_((t_2 < 0.5) ? (a_3 + (t_2 * _e4)) : (b_3 - ((1.0 - t_2) * _e4)));
-    return _e14;
+    metal::float4 d = bounded_vec4(b - a);
+    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 float eased(
-    float x_2,
+    float x,
     float low,
     float high
 ) {
-    float _e3 = bounded(x_2);
-    float _e7 = bounded((_e3 - low) / 0.5);
-    float t_5 = metal::clamp(_e7, 0.0, 1.0);
-    return (t_5 * t_5) * (3.0 - (2.0 * t_5));
+    float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
-float eased_2_(
-    float x_3,
-    float low_1,
-    float high_1
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+float eased_2(
+    float x,
+    float low,
+    float high
 ) {
-    float t_6 = metal::clamp((x_3 - low_1) / (high_1 - low_1), 0.0, 1.0);
-    return (t_6 * t_6) * (3.0 - (2.0 * t_6));
+    float t = metal::clamp((x - low) / (high - low), 0.0, 1.0);
+    return (t * t) * (3.0 - (2.0 * t));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_4
+    float x
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
-    metal::float2 d_2 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_2, d_2));
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
+    return metal::sqrt(metal::dot(d, d));
 }
 
-float footprint_of_vec3_(
-    metal::float3 v_5
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+float footprint_of_vec3(
+    metal::float3 v
 ) {
-    metal::float3 dx = metal::dfdx(v_5);
-    metal::float3 dy = metal::dfdy(v_5);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
-    return _e7;
+    metal::float3 dx = metal::dfdx(v);
+    metal::float3 dy = metal::dfdy(v);
+    return bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
 }
 
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 metal::float4 color_mixed(
-    metal::float4 a_4,
+    metal::float4 a,
     metal::float3 blended,
     float factor
 ) {
-    metal::float3 _e4 = bounded_vec3_(a_4.xyz);
-    metal::float3 _e5 = bounded_vec3_(blended);
-    metal::float3 _e7 = bounded_vec3_(_e5 - _e4);
-    metal::float3 _e10 = bounded_vec3_(_e4 + (factor * _e7));
-    return metal::float4(_e10, 1.0);
+    metal::float3 a_2 = bounded_vec3(a.xyz);
+    return metal::float4(bounded_vec3(a_2 + (factor * bounded_vec3(bounded_vec3(blended) - a_2))), 1.0);
 }
 
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 metal::float4 hermite(
-    metal::float4 a_5,
-    metal::float4 b_4,
+    metal::float4 a,
+    metal::float4 b,
     metal::float4 from_a,
     metal::float4 to_b,
-    float t_3
+    float t
 ) {
-    metal::float4 d_3 = b_4 - a_5;
-    return a_5 + (t_3 * (from_a + (t_3 * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_3)))))));
+    metal::float4 d = b - a;
+    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
 }
 
+/// [`ramp_slope`] of one component.
 float harmonic_slope(
     float before,
     float span_before,
@@ -265,29 +305,24 @@ float harmonic_slope(
     }
     float weight_before = (2.0 * span_after) + span_before;
     float weight_after = span_after + (2.0 * span_before);
-    float _e18 = divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
-    return _e18;
+    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
 }
 
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 metal::float4 ramp_slope(
     metal::float4 rise_before,
-    float span_before_1,
+    float span_before,
     metal::float4 rise_after,
-    float span_after_1
+    float span_after
 ) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return metal::float4(_e8, _e13, _e18, _e23);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float divided_value = divided(rise_after.y, span_after);
+    float divided_value_1 = divided(rise_after.z, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float divided_value_2 = divided(rise_after.w, span_after);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -298,383 +333,281 @@ uint naga_div(uint lhs, uint rhs) {
     return lhs / metal::select(rhs, 1u, rhs == 0u);
 }
 
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 Color ramp_at(
     Ramp ramp,
-    float x_5,
+    float x,
     float w
 ) {
     type_6 colors = {};
     type_7 places = {};
-    uint i_2_ = 1u;
+    uint i_2 = 1u;
     uint at = 0u;
-    metal::float4 from_a_1 = metal::float4(0.0);
-    metal::float4 to_b_1 = metal::float4(0.0);
+    metal::float4 from_a = metal::float4(0.0);
+    metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            uint _e25 = i_2_;
-            i_2_ = _e25 + 1u;
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        uint _e11 = i_2_;
-        if (!((_e11 < 4u))) {
+        if (!((i_2 < 4u))) {
             break;
         }
-        uint _e15 = at;
-        uint _e16 = i_2_;
-        uint _e18 = i_2_;
-        float _e22 = places.inner[0][naga_mod(_e18, 4u)];
-        at = (_e22 <= x_5) ? _e16 : _e15;
+        float places_now = places.inner[0][naga_mod(i_2, 4u)];
+        at = (places_now <= x) ? i_2 : at;
     }
-    uint _e29 = at;
-    float place_4 = places.inner[0][naga_mod(_e29, 4u)];
-    uint _e34 = at;
-    if (((_e34 + 1u) >= 4u) | (x_5 <= place_4)) {
-        uint _e41 = at;
-        metal::float4 _e43 = colors.inner[_e41];
-        return _e43;
+    float place = places.inner[0][naga_mod(at, 4u)];
+    if (((at + 1u) >= 4u) | (x <= place)) {
+        return colors.inner[at];
     }
-    uint _e44 = at;
-    uint after_1 = _e44 + 1u;
-    float _e53 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span = _e53 - place_4;
-    float _e56 = divided(x_5 - place_4, span);
-    float t_7 = metal::clamp(_e56, 0.0, 1.0);
-    uint _e63 = at;
-    if (_e63 > 0u) {
-        uint _e66 = at;
-        uint _e72 = at;
-        float before_1 = places.inner[naga_div(_e66 - 1u, 4u)][naga_mod(_e72 - 1u, 4u)];
-        uint _e79 = at;
-        metal::float4 _e81 = colors.inner[_e79];
-        uint _e82 = at;
-        metal::float4 _e86 = colors.inner[_e82 - 1u];
-        metal::float4 _e90 = colors.inner[after_1];
-        uint _e91 = at;
-        metal::float4 _e93 = colors.inner[_e91];
-        metal::float4 _e95 = ramp_slope(_e81 - _e86, place_4 - before_1, _e90 - _e93, span);
-        from_a_1 = _e95;
+    uint after = at + 1u;
+    float span = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place;
+    float t = metal::clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        from_a = ramp_slope_value;
     }
-    if ((after_1 + 1u) < 4u) {
-        float _e113 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e113 - (place_4 + span);
-        metal::float4 _e117 = colors.inner[after_1];
-        uint _e118 = at;
-        metal::float4 _e120 = colors.inner[_e118];
-        metal::float4 _e125 = colors.inner[after_1 + 1u];
-        metal::float4 _e127 = colors.inner[after_1];
-        metal::float4 _e129 = ramp_slope(_e117 - _e120, span, _e125 - _e127, next);
-        to_b_1 = _e129;
+    if ((after + 1u) < 4u) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
     }
-    uint _e130 = at;
-    metal::float4 _e132 = colors.inner[_e130];
-    metal::float4 _e134 = colors.inner[after_1];
-    metal::float4 _e135 = from_a_1;
-    metal::float4 _e137 = to_b_1;
-    metal::float4 _e139 = hermite(_e132, _e134, span * _e135, span * _e137, t_7);
-    metal::float4 _e140 = bounded_vec4_(_e139);
-    return _e140;
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
 }
 
 Color mix_colors_multiply(
-    Color a_6,
-    Color b_5,
-    float factor_1
+    Color a,
+    Color b,
+    float factor
 ) {
-    metal::float3 _e7 = mixed_vec3_2_(a_6.xyz, a_6.xyz * b_5.xyz, factor_1);
-    return metal::float4(_e7, 1.0);
+    return metal::float4(mixed_vec3_2(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
-Color mix_colors_multiply_2_(
-    Color a_7,
-    Color b_6,
-    float factor_2
+Color mix_colors_multiply_2(
+    Color a,
+    Color b,
+    float factor
 ) {
-    metal::float3 blended_1 = a_7.xyz * b_6.xyz;
-    metal::float3 _e7 = bounded_vec3_(a_7.xyz);
-    metal::float3 _e9 = bounded_vec3_(blended_1 - _e7);
-    float _e14 = bounded(a_7.w);
-    return metal::float4(blended_1 - (0.25 * _e9), _e14);
+    metal::float3 blended = a.xyz * b.xyz;
+    return metal::float4(blended - (0.25 * bounded_vec3(blended - bounded_vec3(a.xyz))), bounded(a.w));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
-    return _e61;
+    metal::uint3 v = {};
+    v = (seed * 1664525u) + metal::uint3(1013904223u);
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    v = v ^ (v >> metal::uint3(16u));
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    return v;
 }
 
+/// The hash of a lattice point.
 metal::uint3 lattice_hash(
     metal::int3 cell,
-    uint seed_1
+    uint seed
 ) {
-    metal::uint3 _e9 = hash_pcg3d(as_type<metal::uint3>(cell) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    return _e9;
+    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
 }
 
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 float gradient_dot(
     metal::uint3 hash,
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a_8 = (axis == 0u) ? d.y : d.x;
-    float b_7 = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_8 : -(a_8)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7));
+    float a = (axis == 0u) ? d.y : d.x;
+    float b = (axis == 2u) ? d.y : d.z;
+    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
+/// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
-    metal::float3 t_4
+    metal::float3 t
 ) {
-    return ((t_4 * t_4) * t_4) * ((t_4 * ((t_4 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(
     metal::float3 p,
-    uint seed_2
+    uint seed
 ) {
     float sum = 0.0;
     int i = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_4 = p - corner;
-    metal::float3 _e4 = fade_quintic(d_4);
-    metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    metal::float3 d = p - corner;
+    metal::float3 f = fade_quintic(d);
+    metal::int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e46 = i;
-            i = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_1 = false;
-        int _e10 = i;
-        if (_e10 < 8) {
+        loop_init = false;
+        if (i < 8) {
         } else {
             break;
         }
         {
-            int _e13 = i;
-            int _e16 = i;
-            int _e21 = i;
-            metal::int3 at_2 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at_2 == metal::int3(1));
-            float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_2)), seed_2);
-            float _e42 = gradient_dot(_e39, d_4 - static_cast<metal::float3>(at_2));
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
+            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
+            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
         }
     }
-    float _e48 = sum;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+    // The twelve gradients reach 1.0364 at most.
+    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
 }
 
-float perlin_noise_2_(
-    metal::float3 p_1,
-    uint seed_3
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+float perlin_noise_2(
+    metal::float3 p,
+    uint seed
 ) {
-    int i_1 = 0;
-    float sum_1 = 0.0;
-    metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_5 = p_1 - corner_1;
-    metal::float3 f = ((d_5 * d_5) * d_5) * ((d_5 * ((d_5 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
-    metal::int3 cell_2 = naga_f2i32(corner_1);
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    int i = 0;
+    float sum = 0.0;
+    metal::float3 corner = metal::floor(p);
+    metal::float3 d = p - corner;
+    metal::float3 f = ((d * d) * d) * ((d * ((d * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::int3 cell = naga_f2i32(corner);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e64 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e64) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e21 = i_1;
-        if (!((_e21 < 8))) {
+        loop_init = false;
+        if (!((i < 8))) {
             break;
         }
-        int _e25 = i_1;
-        int _e28 = i_1;
-        int _e33 = i_1;
-        metal::int3 at_3 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight_1 = metal::select(metal::float3(1.0) - f, f, at_3 == metal::int3(1));
-        float _e44 = sum_1;
-        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_3))) + (seed_3 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        float _e61 = gradient_dot(_e58, d_5 - static_cast<metal::float3>(at_3));
-        sum_1 = _e44 + (((weight_1.x * weight_1.y) * 0.5) * _e61);
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        sum = sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, d - static_cast<metal::float3>(at)));
     }
-    float _e67 = sum_1;
-    return metal::clamp(0.5 + (0.48244 * _e67), 0.0, 1.0);
+    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
 }
 
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 float fractal_noise(
     uint kind,
-    metal::float3 p_2,
+    metal::float3 p,
     int octaves,
     float roughness,
-    int seed_4,
-    float w_1
+    int seed,
+    float w
 ) {
     float octave = {};
-    int i_2 = 0;
+    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
-    float sum_2 = 0.0;
-    uint2 loop_bound_3 = uint2(4294967295u);
-    bool loop_init_3 = true;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e66 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_3 = false;
-        int _e17 = i_2;
-        if (!((_e17 < 2))) {
+        loop_init = false;
+        if (!((i < 2))) {
             break;
         }
-        float _e21 = frequency;
-        float _e25 = eased(w_1 * _e21, 0.5, 1.0);
-        float visible = 1.0 - _e25;
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            float _e31 = frequency;
-            int _e33 = i_2;
-            metal::float3 place_5 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_2;
-            float _e50 = perlin_noise(place_5, 11u + static_cast<uint>(_e47));
-            octave = metal::mix(0.5, _e50, visible);
+            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            octave = metal::mix(0.5, perlin_noise(place, 11u + static_cast<uint>(i)), visible);
         }
-        float _e53 = sum_2;
-        float _e54 = strength;
-        float _e55 = octave;
-        sum_2 = _e53 + (_e54 * _e55);
-        float _e58 = total;
-        float _e59 = strength;
-        total = _e58 + _e59;
-        float _e61 = strength;
-        strength = _e61 * roughness;
-        float _e63 = frequency;
-        frequency = _e63 * 2.0;
+        sum = sum + (strength * octave);
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    float _e69 = sum_2;
-    return metal::min(_e69 / 1.5, 1.0);
+    return metal::min(sum / 1.5, 1.0);
 }
 
-float fractal_noise_2_(
-    uint kind_1,
-    metal::float3 p_3,
-    int octaves_1,
-    float roughness_1,
-    int seed_5,
-    float w_2
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+float fractal_noise_2(
+    uint kind,
+    metal::float3 p,
+    int octaves,
+    float roughness,
+    int seed,
+    float w
 ) {
-    float octave_1 = {};
-    int i_3 = 0;
-    float frequency_1 = 1.0;
-    float strength_1 = 1.0;
-    float total_1 = 0.0;
-    float sum_3 = 0.0;
-    uint2 loop_bound_4 = uint2(4294967295u);
-    bool loop_init_4 = true;
+    float octave = {};
+    int i = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_4 == uint2(0u))) { break; }
-        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
-        if (!loop_init_4) {
-            int _e66 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_4 = false;
-        int _e17 = i_3;
-        if (!((_e17 < 4))) {
+        loop_init = false;
+        if (!((i < 4))) {
             break;
         }
-        float _e21 = frequency_1;
-        float _e25 = eased(w_2 * _e21, 0.5, 1.0);
-        float visible_1 = 1.0 - _e25;
-        octave_1 = 0.5;
-        if (visible_1 > 0.0) {
-            float _e31 = frequency_1;
-            int _e33 = i_3;
-            metal::float3 place_6 = metal::clamp((p_3 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_3;
-            float _e50 = perlin_noise(place_6, 0u + static_cast<uint>(_e47));
-            octave_1 = metal::mix(0.5, _e50, visible_1);
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
+        octave = 0.5;
+        if (visible > 0.0) {
+            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        float _e53 = sum_3;
-        float _e54 = strength_1;
-        float _e55 = octave_1;
-        sum_3 = _e53 + (_e54 * _e55);
-        float _e58 = total_1;
-        float _e59 = strength_1;
-        total_1 = _e58 + _e59;
-        float _e61 = strength_1;
-        strength_1 = _e61 * roughness_1;
-        float _e63 = frequency_1;
-        frequency_1 = _e63 * 2.0;
+        sum = sum + (strength * octave);
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    float _e69 = sum_3;
-    float _e70 = total_1;
-    return metal::min(_e69 / _e70, 1.0);
+    return metal::min(sum / total, 1.0);
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(
     float depth,
     float perspective,
     float scale
 ) {
+    // Clip space is 2 high.
     return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 metal::float3 anchor_on_screen(
     metal::float3 origin,
-    float perspective_1,
-    float scale_1
+    float perspective,
+    float scale
 ) {
-    float _e5 = size_on_screen(-(origin.z), perspective_1, scale_1);
-    return metal::clamp(metal::float3(origin.x * _e5, -(origin.y) * _e5, _e5), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-(origin.z), perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
+/// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
@@ -683,6 +616,8 @@ metal::float2 place_in_picture(
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
@@ -690,62 +625,65 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x_6 = (turn.y * along) + (turn.x * across);
+    metal::float3 x = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
-    metal::float3 stretch_3 = metal::float3(metal::dot(x_6, x_6), metal::dot(x_6, y), metal::dot(y, y));
-    return StretchedPlace {turned, {}, stretch_3};
+    metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
+    return StretchedPlace {turned, {}, stretch};
 }
 
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 SpacedPlace spaced(
-    metal::float2 place_1,
+    metal::float2 place,
     metal::float3 stretch,
-    metal::float2 viewport_1,
+    metal::float2 viewport,
     float count
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_4 = is_pixel ? (count / metal::max(viewport_1.y, 1.0)) : count;
-    metal::float2 p_4 = metal::clamp(place_1 * scale_4, metal::float2(-4194304.0), metal::float2(4194304.0));
-    return SpacedPlace {p_4, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
+    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(
-    metal::float3 stretch_1
+    metal::float3 stretch
 ) {
-    float sum_4 = stretch_1.x + stretch_1.z;
-    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_4 * sum_4) / 66.0);
+    float sum = stretch.x + stretch.z;
+    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
 }
 
 MarkPlace mark_place_object(
-    float angle_1,
+    float angle,
     metal::float3 anchor,
-    metal::float2 pixel_1,
-    metal::float2 viewport_2
+    metal::float2 pixel,
+    metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 _e8 = place_in_picture(pixel_1, viewport_2);
-    metal::float2 place_7 = (_e8 - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace _e26 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e26.place, {}, _e26.stretch};
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
+    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    return MarkPlace {m.place, {}, m.stretch};
 }
 
+/// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(
-    metal::float2 place_2,
+    metal::float2 place,
     int zoom,
-    float w_3,
+    float w,
     float fiber,
-    uint seed_6
+    uint seed
 ) {
-    float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
-    metal::float2 p_5 = metal::clamp(place_2 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = seed_6 + (7u * as_type<uint>(zoom));
-    float _e23 = perlin_noise_2_(metal::float3(p_5, 0.5), own);
-    float grain = _e23 - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_5.x) - (0.6 * p_5.y), (0.6 * p_5.x) + (0.8 * p_5.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e52 = perlin_noise_2_(metal::float3(q, 0.5), own + 1u);
-    float felt = _e52 - 0.5;
-    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_5);
-    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_5);
+    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    uint own = seed + (7u * as_type<uint>(zoom));
+    float grain = perlin_noise_2(metal::float3(p, 0.5), own) - 0.5;
+    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p.x) - (0.6 * p.y), (0.6 * p.x) + (0.8 * p.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    float felt = perlin_noise_2(metal::float3(q, 0.5), own + 1u) - 0.5;
+    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w * scale);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w) * scale);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
@@ -753,129 +691,121 @@ int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// octaves are seen.
 float paper_height(
-    SpacedPlace at_1,
-    float fiber_1,
-    uint seed_7
+    SpacedPlace at,
+    float fiber,
+    uint seed
 ) {
     float height = {};
-    metal::float2 x_7 = metal::dfdx(at_1.place);
-    metal::float2 y_1 = metal::dfdy(at_1.place);
-    float w_4 = metal::sqrt(metal::max(metal::dot(x_7, x_7), metal::dot(y_1, y_1)));
-    float _e12 = area_square(at_1.stretch);
-    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
-    float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_1 = metal::floor(level);
-    float f_1 = level - zoom_1;
-    float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, seed_7);
-    height = _e26;
-    if (f_1 > 0.0) {
-        float _e30 = height;
-        float _e35 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_4, fiber_1, seed_7);
-        float both = metal::mix(_e30, _e35, f_1);
-        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
+    metal::float2 x = metal::dfdx(at.place);
+    metal::float2 y = metal::dfdy(at.place);
+    float w = metal::sqrt(metal::max(metal::dot(x, x), metal::dot(y, y)));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
+    float zoom = metal::floor(level);
+    float f = level - zoom;
+    height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
+    if (f > 0.0) {
+        float paper_octave_value = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), w, fiber, seed);
+        float both = metal::mix(height, paper_octave_value, f);
+        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
     }
-    float _e53 = height;
-    return _e53;
+    return height;
 }
 
+/// Paper grain
+///
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
 PaperGrain paper_grain(
     float value,
-    metal::float2 place_3,
-    metal::float3 stretch_2,
-    float count_1,
+    metal::float2 place,
+    metal::float3 stretch,
+    float count,
     float tooth,
-    float fiber_2,
-    int seed_8,
-    metal::float2 viewport_3
+    float fiber,
+    int seed,
+    metal::float2 viewport
 ) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
-    float _e10 = paper_height(_e8, fiber_2, 0u);
-    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (_e10 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e10};
+    float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
+    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (height - 0.5)) * 0.5) * 0.5), 0.0, 1.0), height};
 }
 
+/// Outer contour
+///
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(
     float width,
     metal::float3 normal,
     metal::float3 view,
-    metal::float2 viewport_4
+    metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0;
-    float _e15 = footprint_of(facing);
-    float distance = facing / metal::max(2.0 * _e15, 0.000001);
+    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
     return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(
     metal::float3 position,
-    float scale_2,
-    int octaves_2,
-    float roughness_2,
-    int seed_9
+    float scale,
+    int octaves,
+    float roughness,
+    int seed
 ) {
-    metal::float3 p_6 = position * scale_2;
-    float _e7 = footprint_of_vec3_(p_6);
-    float _e8 = fractal_noise(NOISE_PERLIN, p_6, octaves_2, roughness_2, seed_9, _e7);
-    return _e8;
+    metal::float3 p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-float noise_perlin_2_(
-    metal::float3 position_1,
-    float scale_3,
-    int octaves_3,
-    float roughness_3,
-    int seed_10
+float noise_perlin_2(
+    metal::float3 position,
+    float scale,
+    int octaves,
+    float roughness,
+    int seed
 ) {
-    metal::float3 p_7 = position_1 * scale_3;
-    float _e7 = footprint_of_vec3_(p_7);
-    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_7, octaves_3, roughness_3, seed_10, _e7);
-    return _e8;
+    metal::float3 p = position * scale;
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float _e6 = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
-    float spread = metal::clamp((_e6 - 0.32) / 0.36, 0.0, 1.0);
-    float _e15 = footprint_of(spread);
-    Color _e16 = ramp_at(two_pigments, spread, _e15);
-    metal::float3 _e21 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface.normal, _e21) + 0.45) / 1.45, 0.0);
-    float tone = metal::min((shade_2_ - 0.0) / 0.85, 1.0);
-    float _e40 = noise_perlin_2_(surface.position_object, 2.2, 4, 0.55, 0);
-    float how_far_it_runs = metal::mix(-0.24, 0.24, _e40 - 0.0);
+    float drift = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
+    float spread = metal::clamp((drift - 0.32) / 0.36, 0.0, 1.0);
+    Color two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
+    float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.45) / 1.45, 0.0);
+    float tone = metal::min((shade_2 - 0.0) / 0.85, 1.0);
+    float water = noise_perlin_2(surface.position_object, 2.2, 4, 0.55, 0);
+    float how_far_it_runs = metal::mix(-0.24, 0.24, water - 0.0);
     float wet_tone = tone + how_far_it_runs;
-    float _e49 = eased_2_(wet_tone, 0.82, 0.7);
-    float k1_ = _e49 * 0.62;
-    Color _e57 = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
-    Color _e64 = mix_colors_multiply_2_(_e16, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    float _e67 = eased_2_(wet_tone, 0.42, 0.34);
-    float k2_ = _e67 * 0.6;
-    metal::float3 _e71 = bounded_vec3_(_e57.xyz);
-    metal::float3 _e75 = bounded_vec3_(_e57.xyz * _e64.xyz);
-    metal::float3 _e76 = mixed_vec3_(_e71, _e75, k2_);
-    metal::float4 second_on_the_first = metal::float4(_e76, 1.0);
-    float pigment_s_rim = metal::smoothstep(0.66, 0.72, wet_tone) * _e49;
-    float second_rim = metal::smoothstep(0.29, 0.34, wet_tone) * _e67;
-    float k3_ = metal::max(pigment_s_rim, second_rim) * 0.34;
-    metal::float4 _e93 = color_mixed(second_on_the_first, second_on_the_first.xyz * _e64.xyz, k3_);
-    metal::float2 _e99 = look.viewport;
-    MarkPlace _e100 = mark_place_object(0.0, surface.anchor, surface.pixel, _e99);
-    metal::float2 _e110 = look.viewport;
-    PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, 0, _e110);
-    float _e113 = bounded(_e111.tone);
-    float settled_pigment = metal::mix(0.9, 1.03, _e113 - 0.0);
-    metal::float4 _e123 = bounded_vec4_(_e93 * metal::float4(metal::float3(settled_pigment), 1.0));
-    metal::float2 _e129 = look.viewport;
-    float _e130 = outer_contour(2.2, surface.normal, surface.view, _e129);
-    float soft = _e130 * 0.7;
-    metal::float4 _e133 = bounded_vec4_(_e123);
-    metal::float4 _e139 = mixed_vec4_(_e133, metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
-    metal::float4 _e140 = finite_vec4_(_e139);
-    return _e140;
+    float first_wash = eased_2(wet_tone, 0.82, 0.7);
+    float k1 = first_wash * 0.62;
+    Color wash_on_paper = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
+    Color deeper = mix_colors_multiply_2(two_pigments_2, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    float second_wash = eased_2(wet_tone, 0.42, 0.34);
+    float k2 = second_wash * 0.6;
+    metal::float3 mixed_vec3_value = mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2);
+    metal::float4 second_on_the_first = metal::float4(mixed_vec3_value, 1.0);
+    float pigment_s_rim = metal::smoothstep(0.66, 0.72, wet_tone) * first_wash;
+    float second_rim = metal::smoothstep(0.29, 0.34, wet_tone) * second_wash;
+    float k3 = metal::max(pigment_s_rim, second_rim) * 0.34;
+    metal::float4 rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
+    MarkPlace sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
+    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0, look.viewport);
+    float settled_pigment = metal::mix(0.9, 1.03, bounded(paper.tone) - 0.0);
+    metal::float4 grain = bounded_vec4(rims_2 * metal::float4(metal::float3(settled_pigment), 1.0));
+    float pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
+    float soft = pencil * 0.7;
+    metal::float4 pencil_line = mixed_vec4(bounded_vec4(grain), metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    return finite_vec4(pencil_line);
 }
 
 struct vs_mainInput {
@@ -890,15 +820,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_1.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -915,26 +842,14 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_1 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_1.eye;
-    float _e13 = view_1.eye.w;
-    metal::float4 _e23 = view_1.screen;
-    metal::float4 _e28 = view_1.screen;
-    metal::float4x4 _e33 = view_1.camera_from_world;
-    metal::float4 _e37 = object.world_from_object[3];
-    float _e46 = view_1.eye.w;
-    float _e51 = view_1.clip_from_world[0].y;
-    float _e56 = view_1.clip_from_world[1].y;
-    float _e61 = view_1.clip_from_world[2].y;
-    metal::float3 _e64 = anchor_on_screen((_e33 * metal::float4(_e37.xyz, 1.0)).xyz, _e46, metal::length(metal::float3(_e51, _e56, _e61)));
-    Surface surface_1 = Surface {normal_1, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, (in.clip.xy * _e23.xy) + _e28.zw, {}, _e64};
-    metal::float4 _e66 = shade(surface_1, look);
-    metal::float4 _e67 = finite_vec4_(_e66);
-    return fs_mainOutput { _e67 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value};
+    return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

@@ -1,34 +1,41 @@
 // Woodcut: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_4 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // woodcut.json says what to put there and how to draw.
-// UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
 struct View {
     row_major float4x4 clip_from_world;
     row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     float4 eye;
 };
 
 struct Object {
     row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     row_major float3x3 world_from_normal;
     int _pad2_0;
     float id;
-    float cutoff;
     int _end_pad_0;
     int _end_pad_1;
+    int _end_pad_2;
 };
 
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     float3 direction;
     int _pad1_0;
+    /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
     int _pad2_0;
+    /// Straight RGB.
     float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
 
+/// What is known before the fragment.
 struct Look {
     Light key;
     float2 viewport;
@@ -36,6 +43,7 @@ struct Look {
     int _end_pad_1;
 };
 
+/// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
     int _pad1_0;
@@ -51,14 +59,19 @@ struct Surface {
     int _end_pad_0;
 };
 
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     float2 place;
     int _pad1_0;
     int _pad1_1;
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     float3 stretch;
     int _end_pad_0;
 };
 
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
     int _pad1_0;
@@ -67,25 +80,37 @@ struct SpacedPlace {
     int _end_pad_0;
 };
 
+/// Style of strokes.
 struct Strokes {
+    /// Width of a stroke, in spacings.
     float width;
+    /// Length of a stroke, in spacings; 0 for endless strokes.
     float length_;
+    /// Share of a stroke that its ends take, 0 to 1.
     float taper;
+    /// Distance that strokes stray, in spacings.
     float wobble;
+    /// Effect of a darker tone: from more strokes at 0 to wider ones at 1.
     float pressure;
+    /// Growth of the strokes between others: from all together at 0 to one after the other at 1.
     float variation;
     uint seed;
 };
 
+/// A stroke as seen at a place.
 struct Stroke {
+    /// Turn of the stroke among its neighbors, 0 to 1.
     float turn;
+    /// Width of the stroke at the place, as a share of its full width.
     float profile;
 };
 
 struct MarkPlace {
+    /// Along the strokes, and across them.
     float2 place;
     int _pad1_0;
     int _pad1_1;
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
     int _end_pad_0;
 };
@@ -102,9 +127,10 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
 
-cbuffer view_4 : register(b0) { View view_4; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
@@ -128,155 +154,145 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x)
 {
-    float whole_1 = round(x);
-    float f = (x - whole_1);
+    float whole = round(x);
+    float f = (x - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_1)
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+float log2_stable(float x)
 {
-    uint bits = asuint(x_1);
+    uint bits = asuint(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
     int exponent = (asint((bits - 1060439283u)) >> 23u);
     float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
+    float z2 = (z * z);
+    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_seen(float3 v_1)
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
 {
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
 }
 
-float3 bounded_vec3_(float3 v_2)
+/// [`bounded`], component by component.
+float3 bounded_vec3(float3 v)
 {
-    uint3 bits_1 = asuint(v_2);
-    uint3 magnitude = (bits_1 & (2147483647u).xxx);
-    float3 largest = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 bits = asuint(v);
+    uint3 magnitude = (bits & (2147483647u).xxx);
+    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v_2 : numbers);
+    return ((magnitude < (2139095040u).xxx) ? v : numbers);
 }
 
-float footprint_of(float x_2)
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
+float footprint_of(float x)
 {
-    float _e1 = ddx(x_2);
-    float _e2 = ddy(x_2);
-    float2 d = float2(_e1, _e2);
+    float2 d = float2(ddx(x), ddy(x));
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_3, float edge, float w)
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
+float step_filtered(float x, float edge, float w)
 {
-    float d_1 = (x_3 - edge);
-    return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
+    float d = (x - edge);
+    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 float3x3 axes_around(float3 toward, float3 up)
 {
-    const float3 _e6 = normalize_moderate(toward, float3(0.0, 0.0, 1.0));
-    float3 leaning = cross(up, _e6);
-    float square_1 = dot(leaning, leaning);
-    float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across_2 = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
-    const float3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e33, cross(_e6, _e33), _e6);
+    const float3 z = normalize_moderate(toward, float3(0.0, 0.0, 1.0));
+    float3 leaning = cross(up, z);
+    float square = dot(leaning, leaning);
+    float3 aside = ((abs(z.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
+    float3 across = ((square > 1e-8) ? leaning : cross(aside, z));
+    const float3 x = normalize_moderate((across - (dot(across, z) * z)), float3(1.0, 0.0, 0.0));
+    return float3x3(x, cross(z, x), z);
 }
 
-float threshold(float value, float edge_1, float softness)
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
+float threshold(float value, float edge, float softness)
 {
-    const float _e3 = footprint_of(value);
-    const float _e6 = step_filtered(value, edge_1, length(float2(_e3, softness)));
-    return _e6;
+    return step_filtered(value, edge, length(float2(footprint_of(value), softness)));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_3 = (uint3)0;
+    uint3 v = (uint3)0;
 
-    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_3;
-    uint3 _e32 = v_3;
-    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_3;
-    return _e61;
+    v = ((seed * 1664525u) + (1013904223u).xxx);
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    v = (v ^ (v >> (16u).xxx));
+    v.x = (v.x + (v.y * v.z));
+    v.y = (v.y + (v.z * v.x));
+    v.z = (v.z + (v.x * v.y));
+    return v;
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(float3 p, uint seed_1)
+/// Value noise: random numbers at lattice points, smooth between them.
+float value_noise(float3 p, uint seed)
 {
     int i = int(0);
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 t_1 = (p - corner);
-    float3 f_1 = (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 t = (p - corner);
+    float3 f = (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
     int3 cell = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
-        if (all(loop_bound == uint2(0u, 0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e68 = i;
-            i = asint(asuint(_e68) + asuint(int(1)));
+            i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        int _e21 = i;
-        if (!((_e21 < int(8)))) {
+        if (!((i < int(8)))) {
             break;
         }
-        int _e25 = i;
-        int _e28 = i;
-        int _e33 = i;
-        int3 at_1 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
-        float3 weight = ((at_1 == (int(1)).xxx) ? f_1 : ((1.0).xxx - f_1));
-        float _e44 = sum;
-        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_1))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (_e44 + (((weight.x * weight.y) * 0.5) * (float3((_e58 >> (8u).xxx)) * 5.9604645e-8).x));
+        int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
+        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+        sum = (sum + (((weight.x * weight.y) * 0.5) * (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8).x));
     }
-    float _e71 = sum;
-    return _e71;
+    return sum;
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale)
 {
+    // Clip space is 2 high.
     return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
 }
 
@@ -287,44 +303,47 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(sin(angle), cos(angle));
-    const float3 _e12 = bounded_vec3_(((turn.y * along) + (turn.x * across)));
-    const float3 _e18 = bounded_vec3_(((turn.y * across) - (turn.x * along)));
+    const float3 x = bounded_vec3(((turn.y * along) + (turn.x * across)));
+    const float3 y = bounded_vec3(((turn.y * across) - (turn.x * along)));
     float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
     float3 most = (1000000000000000.0).xxx;
-    float3 stretch_1 = clamp(float3(dot(_e12, _e12), dot(_e12, _e18), dot(_e18, _e18)), -(most), most);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch_1);
+    float3 stretch = clamp(float3(dot(x, x), dot(x, y), dot(y, y)), -(most), most);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
     return stretchedplace;
 }
 
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 float3 gradient_on_picture(float3 g, float3 normal, float3 view)
 {
     float facing = dot(normal, view);
     return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
 }
 
-StretchedPlace place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_1, float3 view_1, float magnification, float angle_1)
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
+StretchedPlace place_on_surface(float2 place, float3 along, float3 across, float3 normal, float3 view, float magnification, float angle)
 {
     float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
-    const float3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
-    const float3 _e14 = bounded_vec3_((_e12 * height));
-    const float3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
-    const float3 _e17 = bounded_vec3_((_e15 * height));
-    const StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
-    const StretchedPlace stretchedplace_1 = _e18;
+    const float3 x = bounded_vec3((gradient_on_picture(along, normal, view) * height));
+    const float3 y = bounded_vec3((gradient_on_picture(across, normal, view) * height));
+    const StretchedPlace stretchedplace_1 = mark_place_of(place, x, y, angle);
     return stretchedplace_1;
 }
 
-StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_2, float3 view_2, float magnification_1, float angle_2)
+/// A place on a surface for strokes across an axis of the object.
+StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal, float3 view, float magnification, float angle)
 {
-    const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
-    float2 place_5 = float2(dot(position, _e11[0]), dot(position, _e11[2]));
-    float3 along_2 = mul(_e11[0], world_from_normal);
-    float3 across_3 = mul(_e11[2], world_from_normal);
-    const StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
-    const StretchedPlace stretchedplace_2 = _e21;
+    const float3x3 axes = axes_around(axis, float3(0.0, 1.0, 0.0));
+    float2 place = float2(dot(position, axes[0]), dot(position, axes[2]));
+    float3 along = mul(axes[0], world_from_normal);
+    float3 across = mul(axes[2], world_from_normal);
+    const StretchedPlace stretchedplace_2 = place_on_surface(place, along, across, normal, view, magnification, angle);
     return stretchedplace_2;
 }
 
@@ -335,14 +354,15 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-SpacedPlace spaced(float2 place_2, float3 stretch, float2 viewport, float count)
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p_1 = clamp((place_2 * scale_1), (-4194304.0).xx, (4194304.0).xx);
-    const float3 _e21 = bounded_vec3_(stretch);
-    float3 s = clamp(_e21, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
+    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
+    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
+    float3 s = clamp(bounded_vec3(stretch), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
     return spacedplace;
 }
 
@@ -353,21 +373,24 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_4, int zoom, Strokes style)
+/// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
+/// first lies in.
+Stroke stroke_at(int2 line_, float x, int zoom, Strokes style)
 {
-    const uint3 _e12 = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
-    float3 own_1 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
-    const Stroke stroke = ConstructStroke(own_1.y, 1.0);
+    const uint3 hash_pcg3d_value = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
+    float3 own = (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8);
+    const Stroke stroke = ConstructStroke(own.y, 1.0);
     return stroke;
 }
 
-Stroke stroke_between(int2 line_1, float x_5, float level, Strokes style_1)
+/// A stroke where an octave fades into the next.
+Stroke stroke_between(int2 line_, float x, float level, Strokes style)
 {
-    float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_5, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_5, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
-    float f_2 = (level - zoom_2);
-    const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_2), lerp(1.0, 1.0, f_2));
+    float zoom = floor(level);
+    const Stroke a = stroke_at(line_, x, naga_f2i32(zoom), style);
+    const Stroke b = stroke_at(line_, x, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), style);
+    float f = (level - zoom);
+    const Stroke stroke_1 = ConstructStroke(lerp(a.turn, b.turn, f), lerp(1.0, 1.0, f));
     return stroke_1;
 }
 
@@ -375,107 +398,103 @@ int naga_neg(int val) {
     return asint(-asuint(val));
 }
 
-float stray_at(float2 place_3, int zoom_1, uint seed_2)
+/// Distance that strokes stray at a place of an octave, in spacings of the place.
+float stray_at(float2 place, int zoom, uint seed)
 {
-    float2 p_2 = (place_3 * asfloat((uint(asint(asuint(zoom_1) + asuint(int(127)))) << 23u)));
-    const float _e18 = value_noise(float3((0.11 * p_2.x), (0.45 * p_2.y), 0.5), seed_2);
-    return (((_e18 - 0.5) * 2.0) * asfloat((uint(asint(asuint(naga_neg(zoom_1)) + asuint(int(127)))) << 23u)));
+    float2 p = (place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u)));
+    const float value_noise_value = value_noise(float3((0.11 * p.x), (0.45 * p.y), 0.5), seed);
+    return (((value_noise_value - 0.5) * 2.0) * asfloat((uint(asint(asuint(naga_neg(zoom)) + asuint(int(127)))) << 23u)));
 }
 
-float band_filtered(float t, float half_, float w_1)
+/// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
+/// to both sides.
+float band_filtered(float t, float half_, float w)
 {
-    if ((w_1 < 1e-30)) {
+    if ((w < 1e-30)) {
         return (((abs(t) <= half_) & (half_ > 0.0)) ? 1.0 : 0.0);
     }
-    return clamp(((clamp((t + (0.5 * w_1)), -(half_), half_) - clamp((t - (0.5 * w_1)), -(half_), half_)) / w_1), 0.0, 1.0);
+    return clamp(((clamp((t + (0.5 * w)), -(half_), half_) - clamp((t - (0.5 * w)), -(half_), half_)) / w), 0.0, 1.0);
 }
 
 int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
+/// The name of a whole place's line in an octave: an odd number and the octave that the line first
+/// lies in. The line at 0 lies in all.
 int2 line_of(int whole, int octave)
 {
     int power = ((whole == int(0)) ? int(1) : (whole & naga_neg(whole)));
+    // log2 of a power of two, by its bits.
     int octaves = asint(asuint(int((asuint(float(power)) >> 23u))) - asuint(int(127)));
     return ((whole == int(0)) ? (int(0)).xx : int2(naga_div(whole, power), asint(asuint(octave) - asuint(octaves))));
 }
 
-float hatched(float2 place_4, float w_2, float level_1, float ink, Strokes style_2)
+/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
+/// is the footprint of the coordinate across. The average ink is `ink` times the width, but for
+/// tapers.
+float hatched(float2 place, float w, float level, float ink, Strokes style)
 {
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    float number = pow(ink, (1.0 - style_2.pressure));
-    float width = (style_2.width * pow(ink, style_2.pressure));
-    float zoom_3 = floor(level_1);
-    const float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
-    const float _e25 = stray_at(place_4, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), 7u);
-    float stray = lerp(_e20, _e25, (level_1 - zoom_3));
-    float across_4 = (place_4.y + (style_2.wobble * stray));
-    const float _e34 = log2_stable(max(number, 1e-9));
-    float density = max((level_1 + _e34), -40.0);
-    float octave_1 = floor(density);
-    const float _e40 = exp2_stable((density - octave_1));
-    float growth = (_e40 - 1.0);
-    float scale_2 = asfloat((uint(asint(asuint(naga_f2i32(octave_1)) + asuint(int(127)))) << 23u));
-    float q = clamp((across_4 * scale_2), -4194304.0, 4194304.0);
-    const float _e57 = exp2_stable((octave_1 - level_1));
-    float half_1 = ((0.5 * width) * _e57);
-    float footprint = (w_2 * scale_2);
-    int whole_2 = naga_f2i32(round(q));
-    const int2 _e63 = line_of(whole_2, naga_f2i32(octave_1));
-    const Stroke _e65 = stroke_between(_e63, place_4.x, level_1, style_2);
+    float number = pow(ink, (1.0 - style.pressure));
+    float width = (style.width * pow(ink, style.pressure));
+    float zoom = floor(level);
+    const float stray_at_value = stray_at(place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), 7u);
+    float stray = lerp(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, (level - zoom));
+    float across = (place.y + (style.wobble * stray));
+    float density = max((level + log2_stable(max(number, 1e-9))), -40.0);
+    float octave = floor(density);
+    float growth = (exp2_stable((density - octave)) - 1.0);
+    float scale = asfloat((uint(asint(asuint(naga_f2i32(octave)) + asuint(int(127)))) << 23u));
+    float q = clamp((across * scale), -4194304.0, 4194304.0);
+    float half_ = ((0.5 * width) * exp2_stable((octave - level)));
+    float footprint = (w * scale);
+    int whole = naga_f2i32(round(q));
+    const Stroke old = stroke_between(line_of(whole, naga_f2i32(octave)), place.x, level, style);
     float middle = floor(q);
-    const Stroke _e77 = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave_1)) + asuint(int(1)))), place_4.x, level_1, style_2);
-    float grown = clamp(((growth - (0.75 * _e77.turn)) / 0.25), 0.0, 1.0);
-    const float _e91 = band_filtered((q - float(whole_2)), (half_1 * _e65.profile), footprint);
-    const float _e98 = band_filtered(((q - middle) - 0.5), ((half_1 * grown) * _e77.profile), footprint);
-    float mean = min(((2.0 * half_1) * (1.0 + growth)), 1.0);
-    return lerp(max(_e91, _e98), mean, smoothstep(0.75, 1.5, footprint));
+    const Stroke young = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave)) + asuint(int(1)))), place.x, level, style);
+    float grown = clamp(((growth - (0.75 * young.turn)) / 0.25), 0.0, 1.0);
+    const float a = band_filtered((q - float(whole)), (half_ * old.profile), footprint);
+    const float b = band_filtered(((q - middle) - 0.5), ((half_ * grown) * young.profile), footprint);
+    float mean = min(((2.0 * half_) * (1.0 + growth)), 1.0);
+    return lerp(max(a, b), mean, smoothstep(0.75, 1.5, footprint));
 }
 
-float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strokes style_3)
+/// The ink of strokes in up to four directions, each turned by `cross` radians from the one before:
+/// the first take the light tones, and the others come in one after the other.
+float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes style)
 {
     Strokes own = (Strokes)0;
-    int i_1 = int(0);
+    int i = int(0);
     float free = 1.0;
 
-    float2 x_6 = ddx(at.place);
+    float2 x = ddx(at.place);
     float2 y = ddy(at.place);
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e78 = i_1;
-            i_1 = asint(asuint(_e78) + asuint(int(1)));
+        if (!loop_init) {
+            i = asint(asuint(i) + asuint(int(1)));
         }
-        loop_init_1 = false;
-        int _e14 = i_1;
-        if (!((_e14 < int(4)))) {
+        loop_init = false;
+        if (!((i < int(4)))) {
             break;
         }
-        int _e18 = i_1;
-        if ((_e18 < int(1))) {
-            float2 turn_1 = float2(0.0, 1.0);
-            float2 along_3 = float2(turn_1.y, turn_1.x);
-            float2 across_5 = float2(-(turn_1.x), turn_1.y);
-            float w_3 = length(float2(dot(across_5, x_6), dot(across_5, y)));
-            float square_2 = dot(float3((across_5.x * across_5.x), ((2.0 * across_5.x) * across_5.y), (across_5.y * across_5.y)), at.stretch);
-            const float _e59 = log2_stable(max(max(square_2, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
-            float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
-            float2 place_6 = float2(dot(along_3, at.place), dot(across_5, at.place));
-            own = style_3;
+        if ((i < int(1))) {
+            float2 turn = float2(0.0, 1.0);
+            float2 along = float2(turn.y, turn.x);
+            float2 across = float2(-(turn.x), turn.y);
+            float w = length(float2(dot(across, x), dot(across, y)));
+            float square = dot(float3((across.x * across.x), ((2.0 * across.x) * across.y), (across.y * across.y)), at.stretch);
+            float level = clamp((-0.5 * log2_stable(max(max(square, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30))), -16.0, 16.0);
+            float2 place = float2(dot(along, at.place), dot(across, at.place));
+            own = style;
             own.seed = 7u;
-            Strokes _e74 = own;
-            const float _e75 = hatched(place_6, w_3, level_2, (ink_1 - 0.0), _e74);
-            free = (1.0 - _e75);
+            free = (1.0 - hatched(place, w, level, (ink - 0.0), own));
         }
     }
-    float _e81 = free;
-    return (1.0 - _e81);
+    return (1.0 - free);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -485,11 +504,18 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_light(Light light, float3 normal_3, float angle_3, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
+/// Mark place
+///
+/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture
+/// but moving along with the object, along texture coordinates, across an axis of the object, or
+/// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
+/// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
+/// the surface is.
+MarkPlace mark_place_light(Light light, float3 normal, float angle, float3 view, float3 position_object, float3x3 world_from_normal, float magnification)
 {
-    float3 toward_1 = mul(world_from_normal_1, light.direction);
-    const StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    const MarkPlace markplace = ConstructMarkPlace(_e9.place, _e9.stretch);
+    float3 toward = mul(world_from_normal, light.direction);
+    const StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
     return markplace;
 }
 
@@ -505,24 +531,22 @@ Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float a
     return ret;
 }
 
+/// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float3 _e5 = look.key.direction;
-    float shade_2_ = max(((dot(surface.normal, _e5) + 0.3) / 1.3), 0.0);
-    float tone = lerp(0.02, 1.0, min(((shade_2_ - 0.0) / 0.8), 1.0));
-    const float _e24 = threshold(tone, 0.72, 0.0);
-    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0), float4(0.9529, 0.902, 0.7843, 1.0), _e24);
-    Light _e38 = look.key;
-    const MarkPlace _e45 = mark_place_light(_e38, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    float2 _e50 = look.viewport;
-    const SpacedPlace _e52 = spaced(_e45.place, _e45.stretch, _e50, 78.0);
-    const float _e67 = cross_hatched(_e52, (1.0 - min(tone, 1.0)), int(1), 1.0471976, ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
-    const float _e70 = threshold(tone, 0.2, 0.0);
+    float shade_2 = max(((dot(surface.normal, look.key.direction) + 0.3) / 1.3), 0.0);
+    float tone = lerp(0.02, 1.0, min(((shade_2 - 0.0) / 0.8), 1.0));
+    const float lit_ = threshold(tone, 0.72, 0.0);
+    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0), float4(0.9529, 0.902, 0.7843, 1.0), lit_);
+    const MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    const SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0);
+    const float cuts = cross_hatched(spaced_value, (1.0 - min(tone, 1.0)), int(1), 1.0471976, ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    const float deep_shade = threshold(tone, 0.2, 0.0);
     float curvature = surface.kappa;
     float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.22), -20.0, 20.0))))))));
-    const float _e92 = threshold(hollow_to_bulge, 0.2, 0.0);
-    const float _e101 = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
-    float black_block = max(max(_e67, (1.0 - _e70)), max((1.0 - _e92), (1.0 - _e101)));
+    const float hollows = threshold(hollow_to_bulge, 0.2, 0.0);
+    const float outline = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    float black_block = max(max(cuts, (1.0 - deep_shade)), max((1.0 - hollows), (1.0 - outline)));
     float4 print = lerp(ochre_block, float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
     return print;
 }
@@ -538,11 +562,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
-    float4x4 _e3 = object.world_from_object;
-    float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e10 = view_4.clip_from_world;
-    float3x3 _e16 = object.world_from_normal;
-    const Varyings varyings = ConstructVaryings(mul(world, _e10), world.xyz, vertex.position, mul(vertex.normal, _e16));
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -566,19 +587,10 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
-    const float3 _e3 = normalize_seen(in_.normal);
-    float3 normal_6 = (is_front ? _e3 : -(_e3));
-    float4 _e8 = view_4.eye;
-    float _e13 = view_4.eye.w;
-    float4 _e24 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4x4 _e28 = view_4.camera_from_world;
-    float _e38 = view_4.eye.w;
-    float _e43 = view_4.clip_from_world[0].y;
-    float _e48 = view_4.clip_from_world[1].y;
-    float _e53 = view_4.clip_from_world[2].y;
-    const float _e56 = size_on_screen(-(mul(float4(in_.position, 1.0), _e28).z), _e38, length(float3(_e43, _e48, _e53)));
-    float3x3 _e59 = object.world_from_normal;
-    Surface surface_1 = ConstructSurface(normal_6, normalize((_e8.xyz - (_e13 * in_.position))), in_.position_object, _e24.x, _e56, _e59);
-    const float4 _e61 = shade(surface_1);
-    return _e61;
+    const float3 facing = normalize_seen(in_.normal);
+    float3 normal = (is_front ? facing : -(facing));
+    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    const float size_on_screen_value = size_on_screen(-(mul(float4(in_.position, 1.0), view.camera_from_world).z), view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, texel.x, size_on_screen_value, object.world_from_normal);
+    return shade(surface);
 }

@@ -1,6 +1,6 @@
 // Woodcut: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_4 buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
+// Arguments of both functions: view buffer(0), object buffer(1), look buffer(2), curvature_map texture(0).
 // woodcut.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -13,26 +13,34 @@ using metal::uint;
 struct View {
     metal::float4x4 clip_from_world;
     metal::float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
 struct Object {
     metal::float4x4 world_from_object;
+    /// The inverse transpose, for normals.
     metal::float3x3 world_from_normal;
     float id;
-    float cutoff;
-    char _pad4[8];
+    char _pad3[12];
 };
+/// A light as it arrives at a point of the surface.
 struct Light {
+    /// Unit, toward the light, in world space.
     metal::float3 direction;
+    /// Unit, toward the light, in the light's own frame.
     metal::float3 own_direction;
+    /// Straight RGB.
     metal::packed_float3 color;
+    /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+/// What is known before the fragment.
 struct Look {
     Light key;
     metal::float2 viewport;
     char _pad2[8];
 };
+/// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
@@ -42,32 +50,49 @@ struct Surface {
     char _pad5[12];
     metal::float3x3 world_from_normal;
 };
+/// A place for marks.
 struct StretchedPlace {
+    /// Coordinates along the strokes and across them.
     metal::float2 place;
     char _pad1[8];
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     metal::float3 stretch;
 };
+/// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+/// Style of strokes.
 struct Strokes {
+    /// Width of a stroke, in spacings.
     float width;
+    /// Length of a stroke, in spacings; 0 for endless strokes.
     float length;
+    /// Share of a stroke that its ends take, 0 to 1.
     float taper;
+    /// Distance that strokes stray, in spacings.
     float wobble;
+    /// Effect of a darker tone: from more strokes at 0 to wider ones at 1.
     float pressure;
+    /// Growth of the strokes between others: from all together at 0 to one after the other at 1.
     float variation;
     uint seed;
 };
+/// A stroke as seen at a place.
 struct Stroke {
+    /// Turn of the stroke among its neighbors, 0 to 1.
     float turn;
+    /// Width of the stroke at the place, as a share of its full width.
     float profile;
 };
 struct MarkPlace {
+    /// Along the strokes, and across them.
     metal::float2 place;
     char _pad1[8];
+    /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
 struct Vertex {
@@ -80,32 +105,40 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
+/// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(
     float x
 ) {
-    float whole_1 = metal::rint(x);
-    float f = x - whole_1;
+    float whole = metal::rint(x);
+    float f = x - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
 float log2_stable(
-    float x_1
+    float x
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x);
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
     int exponent = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+    float z2 = z * z;
+    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
 }
 
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
 metal::float3 normalize_moderate(
     metal::float3 v,
     metal::float3 otherwise
@@ -114,149 +147,134 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 metal::float3 normalize_seen(
-    metal::float3 v_1
+    metal::float3 v
 ) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
+    return normalize_moderate(v, metal::float3(0.0, 0.0, 1.0));
 }
 
-metal::float3 bounded_vec3_(
-    metal::float3 v_2
+/// [`bounded`], component by component.
+metal::float3 bounded_vec3(
+    metal::float3 v
 ) {
-    metal::uint3 bits_1 = as_type<metal::uint3>(v_2);
-    metal::uint3 magnitude = bits_1 & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::uint3 bits = as_type<metal::uint3>(v);
+    metal::uint3 magnitude = bits & metal::uint3(2147483647u);
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
-    return metal::select(numbers, v_2, magnitude < metal::uint3(2139095040u));
+    return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 float footprint_of(
-    float x_2
+    float x
 ) {
-    float _e1 = metal::dfdx(x_2);
-    float _e2 = metal::dfdy(x_2);
-    metal::float2 d = metal::float2(_e1, _e2);
+    metal::float2 d = metal::float2(metal::dfdx(x), metal::dfdy(x));
     return metal::sqrt(metal::dot(d, d));
 }
 
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(
-    float x_3,
+    float x,
     float edge,
     float w
 ) {
-    float d_1 = x_3 - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_1 / w), 0.0, 1.0);
+    float d = x - edge;
+    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
 }
 
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 _e6 = normalize_moderate(toward, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 leaning = metal::cross(up, _e6);
-    float square_1 = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across_2 = (square_1 > 0.00000001) ? leaning : metal::cross(aside, _e6);
-    metal::float3 _e33 = normalize_moderate(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e33, metal::cross(_e6, _e33), _e6);
+    metal::float3 z = normalize_moderate(toward, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 leaning = metal::cross(up, z);
+    float square = metal::dot(leaning, leaning);
+    metal::float3 aside = (metal::abs(z.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, z);
+    metal::float3 x = normalize_moderate(across - (metal::dot(across, z) * z), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(x, metal::cross(z, x), z);
 }
 
+/// Threshold
+///
+/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
+/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
+/// and the edge itself is 1.
 float threshold(
     float value,
-    float edge_1,
+    float edge,
     float softness
 ) {
-    float _e3 = footprint_of(value);
-    float _e6 = step_filtered(value, edge_1, metal::length(metal::float2(_e3, softness)));
-    return _e6;
+    return step_filtered(value, edge, metal::length(metal::float2(footprint_of(value), softness)));
 }
 
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_3 = {};
-    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_3.x;
-    uint _e10 = v_3.y;
-    uint _e12 = v_3.z;
-    v_3.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_3.y;
-    uint _e18 = v_3.z;
-    uint _e20 = v_3.x;
-    v_3.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_3.z;
-    uint _e26 = v_3.x;
-    uint _e28 = v_3.y;
-    v_3.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_3;
-    metal::uint3 _e32 = v_3;
-    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_3.x;
-    uint _e40 = v_3.y;
-    uint _e42 = v_3.z;
-    v_3.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_3.y;
-    uint _e48 = v_3.z;
-    uint _e50 = v_3.x;
-    v_3.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_3.z;
-    uint _e56 = v_3.x;
-    uint _e58 = v_3.y;
-    v_3.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_3;
-    return _e61;
+    metal::uint3 v = {};
+    v = (seed * 1664525u) + metal::uint3(1013904223u);
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    v = v ^ (v >> metal::uint3(16u));
+    v.x = v.x + (v.y * v.z);
+    v.y = v.y + (v.z * v.x);
+    v.z = v.z + (v.x * v.y);
+    return v;
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
+/// Value noise: random numbers at lattice points, smooth between them.
 float value_noise(
     metal::float3 p,
-    uint seed_1
+    uint seed
 ) {
     int i = 0;
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 t_1 = p - corner;
-    metal::float3 f_1 = ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 t = p - corner;
+    metal::float3 f = ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound == uint2(0u))) { break; }
-        loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e68 = i;
-            i = as_type<int>(as_type<uint>(_e68) + as_type<uint>(1));
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        int _e21 = i;
-        if (!((_e21 < 8))) {
+        if (!((i < 8))) {
             break;
         }
-        int _e25 = i;
-        int _e28 = i;
-        int _e33 = i;
-        metal::int3 at_1 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight = metal::select(metal::float3(1.0) - f_1, f_1, at_1 == metal::int3(1));
-        float _e44 = sum;
-        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        sum = _e44 + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(_e58 >> metal::uint3(8u)) * 0.000000059604645).x);
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        sum = sum + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645).x);
     }
-    float _e71 = sum;
-    return _e71;
+    return sum;
 }
 
+/// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
+/// `perspective` is 1 or 0; `scale` is what clip space multiplies heights by: at depth 1, or at
+/// every depth without perspective.
 float size_on_screen(
     float depth,
     float perspective,
     float scale
 ) {
+    // Clip space is 2 high.
     return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
 }
 
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
@@ -264,14 +282,17 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
-    metal::float3 _e12 = bounded_vec3_((turn.y * along) + (turn.x * across));
-    metal::float3 _e18 = bounded_vec3_((turn.y * across) - (turn.x * along));
+    metal::float3 x = bounded_vec3((turn.y * along) + (turn.x * across));
+    metal::float3 y = bounded_vec3((turn.y * across) - (turn.x * along));
     metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float3 stretch_1 = metal::clamp(metal::float3(metal::dot(_e12, _e12), metal::dot(_e12, _e18), metal::dot(_e18, _e18)), -(most), most);
-    return StretchedPlace {turned, {}, stretch_1};
+    metal::float3 stretch = metal::clamp(metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y)), -(most), most);
+    return StretchedPlace {turned, {}, stretch};
 }
 
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 metal::float3 gradient_on_picture(
     metal::float3 g,
     metal::float3 normal,
@@ -281,237 +302,241 @@ metal::float3 gradient_on_picture(
     return g - (normal * (metal::dot(g, view) / ((facing >= 0.0) ? metal::max(facing, 0.125) : metal::min(facing, -0.125))));
 }
 
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 StretchedPlace place_on_surface(
-    metal::float2 place_1,
-    metal::float3 along_1,
-    metal::float3 across_1,
-    metal::float3 normal_1,
-    metal::float3 view_1,
+    metal::float2 place,
+    metal::float3 along,
+    metal::float3 across,
+    metal::float3 normal,
+    metal::float3 view,
     float magnification,
-    float angle_1
+    float angle
 ) {
     float height = 1.0 / metal::clamp(magnification, 0.000000000000001, 1000000000000000.0);
-    metal::float3 _e12 = gradient_on_picture(along_1, normal_1, view_1);
-    metal::float3 _e14 = bounded_vec3_(_e12 * height);
-    metal::float3 _e15 = gradient_on_picture(across_1, normal_1, view_1);
-    metal::float3 _e17 = bounded_vec3_(_e15 * height);
-    StretchedPlace _e18 = mark_place_of(place_1, _e14, _e17, angle_1);
-    return _e18;
+    metal::float3 x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
+    metal::float3 y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
+    return mark_place_of(place, x, y, angle);
 }
 
+/// A place on a surface for strokes across an axis of the object.
 StretchedPlace place_across(
     metal::float3 axis,
     metal::float3 position,
     metal::float3x3 world_from_normal,
-    metal::float3 normal_2,
-    metal::float3 view_2,
-    float magnification_1,
-    float angle_2
+    metal::float3 normal,
+    metal::float3 view,
+    float magnification,
+    float angle
 ) {
-    metal::float3x3 _e11 = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
-    metal::float2 place_5 = metal::float2(metal::dot(position, _e11[0]), metal::dot(position, _e11[2]));
-    metal::float3 along_2 = world_from_normal * _e11[0];
-    metal::float3 across_3 = world_from_normal * _e11[2];
-    StretchedPlace _e21 = place_on_surface(place_5, along_2, across_3, normal_2, view_2, magnification_1, angle_2);
-    return _e21;
+    metal::float3x3 axes = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
+    metal::float2 place = metal::float2(metal::dot(position, axes[0]), metal::dot(position, axes[2]));
+    metal::float3 along = world_from_normal * axes[0];
+    metal::float3 across = world_from_normal * axes[2];
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 SpacedPlace spaced(
-    metal::float2 place_2,
+    metal::float2 place,
     metal::float3 stretch,
     metal::float2 viewport,
     float count
 ) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_1 = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p_1 = metal::clamp(place_2 * scale_1, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 _e21 = bounded_vec3_(stretch);
-    metal::float3 s = metal::clamp(_e21, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
+    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float3 s = metal::clamp(bounded_vec3(stretch), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
+/// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
+/// first lies in.
 Stroke stroke_at(
     metal::int2 line,
-    float x_4,
+    float x,
     int zoom,
     Strokes style
 ) {
-    metal::uint3 _e12 = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
-    metal::float3 own_1 = static_cast<metal::float3>(_e12 >> metal::uint3(8u)) * 0.000000059604645;
-    return Stroke {own_1.y, 1.0};
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
+    metal::float3 own = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
+    return Stroke {own.y, 1.0};
 }
 
+/// A stroke where an octave fades into the next.
 Stroke stroke_between(
-    metal::int2 line_1,
-    float x_5,
+    metal::int2 line,
+    float x,
     float level,
-    Strokes style_1
+    Strokes style
 ) {
-    float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_5, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_5, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
-    float f_2 = level - zoom_2;
-    return Stroke {metal::mix(_e6.turn, _e10.turn, f_2), metal::mix(1.0, 1.0, f_2)};
+    float zoom = metal::floor(level);
+    Stroke a = stroke_at(line, x, naga_f2i32(zoom), style);
+    Stroke b = stroke_at(line, x, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), style);
+    float f = level - zoom;
+    return Stroke {metal::mix(a.turn, b.turn, f), metal::mix(1.0, 1.0, f)};
 }
 
 int naga_neg(int val) {
     return as_type<int>(-as_type<uint>(val));
 }
 
+/// Distance that strokes stray at a place of an octave, in spacings of the place.
 float stray_at(
-    metal::float2 place_3,
-    int zoom_1,
-    uint seed_2
+    metal::float2 place,
+    int zoom,
+    uint seed
 ) {
-    metal::float2 p_2 = place_3 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_1) + as_type<uint>(127))) << 23u);
-    float _e18 = value_noise(metal::float3(0.11 * p_2.x, 0.45 * p_2.y, 0.5), seed_2);
-    return ((_e18 - 0.5) * 2.0) * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom_1)) + as_type<uint>(127))) << 23u);
+    metal::float2 p = place * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    float value_noise_value = value_noise(metal::float3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
+    return ((value_noise_value - 0.5) * 2.0) * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom)) + as_type<uint>(127))) << 23u);
 }
 
+/// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
+/// to both sides.
 float band_filtered(
     float t,
     float half_,
-    float w_1
+    float w
 ) {
-    if (w_1 < 0.000000000000000000000000000001) {
+    if (w < 0.000000000000000000000000000001) {
         return ((metal::abs(t) <= half_) & (half_ > 0.0)) ? 1.0 : 0.0;
     }
-    return metal::clamp((metal::clamp(t + (0.5 * w_1), -(half_), half_) - metal::clamp(t - (0.5 * w_1), -(half_), half_)) / w_1, 0.0, 1.0);
+    return metal::clamp((metal::clamp(t + (0.5 * w), -(half_), half_) - metal::clamp(t - (0.5 * w), -(half_), half_)) / w, 0.0, 1.0);
 }
 
 int naga_div(int lhs, int rhs) {
     return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
 }
 
+/// The name of a whole place's line in an octave: an odd number and the octave that the line first
+/// lies in. The line at 0 lies in all.
 metal::int2 line_of(
     int whole,
     int octave
 ) {
     int power = (whole == 0) ? 1 : (whole & naga_neg(whole));
+    // log2 of a power of two, by its bits.
     int octaves = as_type<int>(as_type<uint>(static_cast<int>(as_type<uint>(static_cast<float>(power)) >> 23u)) - as_type<uint>(127));
     return (whole == 0) ? metal::int2(0) : metal::int2(naga_div(whole, power), as_type<int>(as_type<uint>(octave) - as_type<uint>(octaves)));
 }
 
+/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
+/// is the footprint of the coordinate across. The average ink is `ink` times the width, but for
+/// tapers.
 float hatched(
-    metal::float2 place_4,
-    float w_2,
-    float level_1,
+    metal::float2 place,
+    float w,
+    float level,
     float ink,
-    Strokes style_2
+    Strokes style
 ) {
     if (!((ink > 0.0))) {
         return 0.0;
     }
-    float number = metal::pow(ink, 1.0 - style_2.pressure);
-    float width = style_2.width * metal::pow(ink, style_2.pressure);
-    float zoom_3 = metal::floor(level_1);
-    float _e20 = stray_at(place_4, naga_f2i32(zoom_3), 7u);
-    float _e25 = stray_at(place_4, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), 7u);
-    float stray = metal::mix(_e20, _e25, level_1 - zoom_3);
-    float across_4 = place_4.y + (style_2.wobble * stray);
-    float _e34 = log2_stable(metal::max(number, 0.000000001));
-    float density = metal::max(level_1 + _e34, -40.0);
-    float octave_1 = metal::floor(density);
-    float _e40 = exp2_stable(density - octave_1);
-    float growth = _e40 - 1.0;
-    float scale_2 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(127))) << 23u);
-    float q = metal::clamp(across_4 * scale_2, -4194304.0, 4194304.0);
-    float _e57 = exp2_stable(octave_1 - level_1);
-    float half_1 = (0.5 * width) * _e57;
-    float footprint = w_2 * scale_2;
-    int whole_2 = naga_f2i32(metal::rint(q));
-    metal::int2 _e63 = line_of(whole_2, naga_f2i32(octave_1));
-    Stroke _e65 = stroke_between(_e63, place_4.x, level_1, style_2);
+    float number = metal::pow(ink, 1.0 - style.pressure);
+    float width = style.width * metal::pow(ink, style.pressure);
+    float zoom = metal::floor(level);
+    float stray_at_value = stray_at(place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), 7u);
+    float stray = metal::mix(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, level - zoom);
+    float across = place.y + (style.wobble * stray);
+    float density = metal::max(level + log2_stable(metal::max(number, 0.000000001)), -40.0);
+    float octave = metal::floor(density);
+    float growth = exp2_stable(density - octave) - 1.0;
+    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave)) + as_type<uint>(127))) << 23u);
+    float q = metal::clamp(across * scale, -4194304.0, 4194304.0);
+    float half_ = (0.5 * width) * exp2_stable(octave - level);
+    float footprint = w * scale;
+    int whole = naga_f2i32(metal::rint(q));
+    Stroke old = stroke_between(line_of(whole, naga_f2i32(octave)), place.x, level, style);
     float middle = metal::floor(q);
-    Stroke _e77 = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave_1)) + as_type<uint>(1))), place_4.x, level_1, style_2);
-    float grown = metal::clamp((growth - (0.75 * _e77.turn)) / 0.25, 0.0, 1.0);
-    float _e91 = band_filtered(q - static_cast<float>(whole_2), half_1 * _e65.profile, footprint);
-    float _e98 = band_filtered((q - middle) - 0.5, (half_1 * grown) * _e77.profile, footprint);
-    float mean = metal::min((2.0 * half_1) * (1.0 + growth), 1.0);
-    return metal::mix(metal::max(_e91, _e98), mean, metal::smoothstep(0.75, 1.5, footprint));
+    Stroke young = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave)) + as_type<uint>(1))), place.x, level, style);
+    float grown = metal::clamp((growth - (0.75 * young.turn)) / 0.25, 0.0, 1.0);
+    float a = band_filtered(q - static_cast<float>(whole), half_ * old.profile, footprint);
+    float b = band_filtered((q - middle) - 0.5, (half_ * grown) * young.profile, footprint);
+    float mean = metal::min((2.0 * half_) * (1.0 + growth), 1.0);
+    return metal::mix(metal::max(a, b), mean, metal::smoothstep(0.75, 1.5, footprint));
 }
 
+/// The ink of strokes in up to four directions, each turned by `cross` radians from the one before:
+/// the first take the light tones, and the others come in one after the other.
 float cross_hatched(
     SpacedPlace at,
-    float ink_1,
+    float ink,
     int layers,
     float cross,
-    Strokes style_3
+    Strokes style
 ) {
     Strokes own = {};
-    int i_1 = 0;
+    int i = 0;
     float free = 1.0;
-    metal::float2 x_6 = metal::dfdx(at.place);
+    metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e78 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e78) + as_type<uint>(1));
+        if (!loop_init) {
+            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
-        loop_init_1 = false;
-        int _e14 = i_1;
-        if (!((_e14 < 4))) {
+        loop_init = false;
+        if (!((i < 4))) {
             break;
         }
-        int _e18 = i_1;
-        if (_e18 < 1) {
-            metal::float2 turn_1 = metal::float2(0.0, 1.0);
-            metal::float2 along_3 = metal::float2(turn_1.y, turn_1.x);
-            metal::float2 across_5 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_3 = metal::length(metal::float2(metal::dot(across_5, x_6), metal::dot(across_5, y)));
-            float square_2 = metal::dot(metal::float3(across_5.x * across_5.x, (2.0 * across_5.x) * across_5.y, across_5.y * across_5.y), at.stretch);
-            float _e59 = log2_stable(metal::max(metal::max(square_2, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
-            float level_2 = metal::clamp(-0.5 * _e59, -16.0, 16.0);
-            metal::float2 place_6 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_5, at.place));
-            own = style_3;
+        if (i < 1) {
+            metal::float2 turn = metal::float2(0.0, 1.0);
+            metal::float2 along = metal::float2(turn.y, turn.x);
+            metal::float2 across = metal::float2(-(turn.x), turn.y);
+            float w = metal::length(metal::float2(metal::dot(across, x), metal::dot(across, y)));
+            float square = metal::dot(metal::float3(across.x * across.x, (2.0 * across.x) * across.y, across.y * across.y), at.stretch);
+            float log2_stable_value = log2_stable(metal::max(metal::max(square, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
+            metal::float2 place = metal::float2(metal::dot(along, at.place), metal::dot(across, at.place));
+            own = style;
             own.seed = 7u;
-            Strokes _e74 = own;
-            float _e75 = hatched(place_6, w_3, level_2, ink_1 - 0.0, _e74);
-            free = 1.0 - _e75;
+            free = 1.0 - hatched(place, w, level, ink - 0.0, own);
         }
     }
-    float _e81 = free;
-    return 1.0 - _e81;
+    return 1.0 - free;
 }
 
+/// Mark place
+///
+/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture
+/// but moving along with the object, along texture coordinates, across an axis of the object, or
+/// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
+/// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
+/// the surface is.
 MarkPlace mark_place_light(
     Light light,
-    metal::float3 normal_3,
-    float angle_3,
-    metal::float3 view_3,
+    metal::float3 normal,
+    float angle,
+    metal::float3 view,
     metal::float3 position_object,
-    metal::float3x3 world_from_normal_1,
-    float magnification_2
+    metal::float3x3 world_from_normal,
+    float magnification
 ) {
-    metal::float3 toward_1 = light.direction * world_from_normal_1;
-    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    return MarkPlace {_e9.place, {}, _e9.stretch};
+    metal::float3 toward = light.direction * world_from_normal;
+    StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    return MarkPlace {m.place, {}, m.stretch};
 }
 
+/// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    metal::float3 _e5 = look.key.direction;
-    float shade_2_ = metal::max((metal::dot(surface.normal, _e5) + 0.3) / 1.3, 0.0);
-    float tone = metal::mix(0.02, 1.0, metal::min((shade_2_ - 0.0) / 0.8, 1.0));
-    float _e24 = threshold(tone, 0.72, 0.0);
-    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0), metal::float4(0.9529, 0.902, 0.7843, 1.0), _e24);
-    Light _e38 = look.key;
-    MarkPlace _e45 = mark_place_light(_e38, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    metal::float2 _e50 = look.viewport;
-    SpacedPlace _e52 = spaced(_e45.place, _e45.stretch, _e50, 78.0);
-    float _e67 = cross_hatched(_e52, 1.0 - metal::min(tone, 1.0), 1, 1.0471976, Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
-    float _e70 = threshold(tone, 0.2, 0.0);
+    float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = metal::mix(0.02, 1.0, metal::min((shade_2 - 0.0) / 0.8, 1.0));
+    float lit = threshold(tone, 0.72, 0.0);
+    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0), metal::float4(0.9529, 0.902, 0.7843, 1.0), lit);
+    MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0);
+    float cuts = cross_hatched(spaced_value, 1.0 - metal::min(tone, 1.0), 1, 1.0471976, Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
+    float deep_shade = threshold(tone, 0.2, 0.0);
     float curvature = surface.kappa;
     float hollow_to_bulge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.22, -20.0, 20.0))))));
-    float _e92 = threshold(hollow_to_bulge, 0.2, 0.0);
-    float _e101 = threshold(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
-    float black_block = metal::max(metal::max(_e67, 1.0 - _e70), metal::max(1.0 - _e92, 1.0 - _e101));
+    float hollows = threshold(hollow_to_bulge, 0.2, 0.0);
+    float outline = threshold(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    float black_block = metal::max(metal::max(cuts, 1.0 - deep_shade), metal::max(1.0 - hollows, 1.0 - outline));
     metal::float4 print = metal::mix(ochre_block, metal::float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
     return print;
 }
@@ -528,15 +553,12 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_4 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
-    metal::float4x4 _e3 = object.world_from_object;
-    metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e10 = view_4.clip_from_world;
-    metal::float3x3 _e16 = object.world_from_normal;
-    const auto _tmp = Varyings {_e10 * world, world.xyz, vertex_.position, _e16 * vertex_.normal};
+    metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -557,25 +579,16 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_4 [[buffer(0)]]
+, constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_4 };
-    metal::float3 _e3 = normalize_seen(in.normal);
-    metal::float3 normal_4 = is_front ? _e3 : -(_e3);
-    metal::float4 _e8 = view_4.eye;
-    float _e13 = view_4.eye.w;
-    metal::float4 _e24 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e28 = view_4.camera_from_world;
-    float _e38 = view_4.eye.w;
-    float _e43 = view_4.clip_from_world[0].y;
-    float _e48 = view_4.clip_from_world[1].y;
-    float _e53 = view_4.clip_from_world[2].y;
-    float _e56 = size_on_screen(-((_e28 * metal::float4(in.position, 1.0)).z), _e38, metal::length(metal::float3(_e43, _e48, _e53)));
-    metal::float3x3 _e59 = object.world_from_normal;
-    Surface surface_1 = Surface {normal_4, metal::normalize(_e8.xyz - (_e13 * in.position)), in.position_object, _e24.x, _e56, {}, _e59};
-    metal::float4 _e61 = shade(surface_1, look);
-    return fs_mainOutput { _e61 };
+    metal::float3 facing = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    float size_on_screen_value = size_on_screen(-((view.camera_from_world * metal::float4(in.position, 1.0)).z), view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x, size_on_screen_value, {}, object.world_from_normal};
+    return fs_mainOutput { shade(surface, look) };
 }

@@ -1,0 +1,151 @@
+// Working drawing: made by Chiaro 0.1.0, HLSL, shader model 5.1.
+// Draws normals, depth, objects, materials and ids, for lines.
+// Registers of space 0: view b0, object b1.
+// working-drawing.json says what to put there and how to draw.
+
+struct View {
+    row_major float4x4 clip_from_world;
+    row_major float4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    float4 eye;
+};
+
+struct Object {
+    row_major float4x4 world_from_object;
+    /// The inverse transpose, for normals.
+    row_major float3x3 world_from_normal;
+    int _pad2_0;
+    float id;
+    /// The number of the material, from 0 on, for the borders of materials.
+    float material;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+/// The surface under the fragment, in world space.
+struct Surface {
+    float3 normal;
+    int _end_pad_0;
+};
+
+struct Vertex {
+    float3 position : LOC0;
+    float3 normal : LOC1;
+};
+
+struct Varyings {
+    float4 clip_ : SV_Position;
+    float3 position : LOC0;
+    float3 normal : LOC1;
+};
+
+cbuffer view : register(b0) { View view; }
+cbuffer object : register(b1) { Object object; }
+
+struct VertexOutput_vs_main {
+    float3 position : LOC0;
+    float3 normal_2 : LOC1;
+    float4 clip_ : SV_Position;
+};
+
+struct FragmentInput_fs_main {
+    float3 position_1 : LOC0;
+    float3 normal_3 : LOC1;
+    float4 clip_1 : SV_Position;
+    bool is_front_1 : SV_IsFrontFace;
+};
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
+/// counts as having no direction.
+float3 normalize_moderate(float3 v, float3 otherwise)
+{
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+float3 normalize_seen(float3 v)
+{
+    return normalize_moderate(v, float3(0.0, 0.0, 1.0));
+}
+
+/// The slope n.xy / n.z of a normal in camera axes.
+float2 slope_of(float3 normal)
+{
+    return (normal.xy / (max(normal.z, 0.2)).xx);
+}
+
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+float4 surface_texel(float3 normal, float depth, float number)
+{
+    const float2 slope_of_value = slope_of(normal);
+    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
+}
+
+/// The number of an object in texels, from 1 on.
+float object_number(float object)
+{
+    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+}
+
+/// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
+/// ids add, less than 1. `id` is rounded to a whole number; what is none, or beyond a million, is
+/// 0.
+float facet_number(float object, float material, float id)
+{
+    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
+    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
+    return (object_number(object) + (parts / 4096.0));
+}
+
+/// The normal that the passes of lines see.
+float3 shade(Surface surface)
+{
+    return surface.normal;
+}
+
+Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+    Varyings ret = (Varyings)0;
+    ret.clip_ = arg0;
+    ret.position = arg1;
+    ret.normal = arg2;
+    return ret;
+}
+
+VertexOutput_vs_main vs_main(Vertex vertex)
+{
+    float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    return varyings_1;
+}
+
+Surface ConstructSurface(float3 arg0) {
+    Surface ret = (Surface)0;
+    ret.normal = arg0;
+    return ret;
+}
+
+float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+{
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    bool is_front = fragmentinput_fs_main.is_front_1;
+    bool local = (bool)0;
+
+    const float3 facing = normalize_seen(in_.normal);
+    float3 toward = normalize((view.eye.xyz - (view.eye.w * in_.position)));
+    if (!(is_front)) {
+        local = (dot(facing, toward) < -0.1);
+    } else {
+        local = false;
+    }
+    bool is_behind = local;
+    float3 normal = (is_behind ? -(facing) : facing);
+    Surface surface = ConstructSurface(normal);
+    float3 seen = mul(float4(shade(surface), 0.0), view.camera_from_world).xyz;
+    float depth = -(mul(float4(in_.position, 1.0), view.camera_from_world).z);
+    return surface_texel(seen, depth, facet_number(object.id, object.material, 0.0));
+}

@@ -1,0 +1,18 @@
+#version 450 core
+// Working drawing: made by Chiaro 0.1.0, GLSL 4.50.
+// The vertex shader. Finds where surfaces behind the first end, fold and meet.
+// Uniform blocks (std140): CurvatureBlock 0.
+// Textures: u_surface 0, u_front 1.
+// working-drawing.json says what to put there and how to draw.
+
+/// A triangle over the whole picture.
+vec4 whole_picture(uint index) {
+    return vec4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
+void main() {
+    uint index = uint(gl_VertexID);
+    gl_Position = whole_picture(index);
+    return;
+}
+

@@ -1,0 +1,52 @@
+#version 300 es
+// Working drawing: made by Chiaro 0.1.0, GLSL ES 3.00.
+// The vertex shader. Draws what lies behind the first surface, for the passes of hidden lines.
+// Uniform blocks (std140): ViewBlock 0, ObjectBlock 1.
+// Textures: u_facet_map 0.
+// working-drawing.json says what to put there and how to draw.
+
+precision highp float;
+precision highp int;
+
+struct View {
+    mat4x4 clip_from_world;
+    mat4x4 camera_from_world;
+    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    vec4 eye;
+};
+struct Object {
+    mat4x4 world_from_object;
+    /// The inverse transpose, for normals.
+    mat3x3 world_from_normal;
+    float id;
+    /// The number of the material, from 0 on, for the borders of materials.
+    float material;
+};
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 normal;
+};
+layout(std140) uniform ViewBlock { View u_view; };
+
+layout(std140) uniform ObjectBlock { Object u_object; };
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+smooth out vec3 v_position;
+smooth out vec3 v_normal;
+
+void main() {
+    Vertex vertex = Vertex(a_position, a_normal);
+    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
+    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
+    gl_Position = _tmp_return.clip;
+    v_position = _tmp_return.position;
+    v_normal = _tmp_return.normal;
+    return;
+}
+
