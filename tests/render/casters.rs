@@ -63,8 +63,8 @@ fn picture_of(plan: &FramePlan) -> Vec<[f32; 4]> {
 
 /// True if pictures are the same but for what folding rounds.
 fn is_near(a: &[[f32; 4]], b: &[[f32; 4]]) -> bool {
-    let pairs = a.as_flattened().iter().zip(b.as_flattened());
-    a.len() == b.len() && pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-3)
+    let mut pairs = a.as_flattened().iter().zip(b.as_flattened());
+    a.len() == b.len() && pairs.all(|(a, b)| (a - b).abs() < 1e-3)
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn shadows_begin_where_their_casters_stand() {
     for scale in [1e-3, 1.0, 1e4] {
         for light in [
             TestLight::Sun(DVec3::new(-1.0, 1.0, 0.0)),
-            // From there the box's upper edge is seen at a distance of its height as well.
+            // On the way of the same sunlight past the box's upper edge.
             TestLight::Lamp(scale * DVec3::new(-3.0, 4.0, 0.0)),
         ] {
             for tier in TIERS {
@@ -104,8 +104,8 @@ fn a_thimble_in_a_city_has_its_shadow() {
 #[test]
 fn edges_move_as_steadily_as_their_lights() {
     let pixel = SEEN / f64::from(SIZE);
-    // The side of a map of a picture of this size, about a sphere as large as the box.
-    let texel = 2.0 * 33.0 / 32.0 * DVec3::new(4.0, 0.5, 8.0).length() / 256.0;
+    // A map of 256 texels, a little wider than a sphere that holds the box however it is scaled.
+    let texel = 33.0 / 32.0 * 2.0 * 8.0 * 3.0_f64.sqrt() / 256.0;
     for (tier, is_lamp, degrees, steps, uncertain, most) in [
         (Tier::Exact, true, 20.0_f64, 16, 0.1 * pixel, 0.05),
         (Tier::Balanced, false, 0.0, 24, 0.5 * texel, 0.05),
