@@ -25,6 +25,7 @@ use eframe::egui;
 
 use crate::document::Edit;
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
+use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
@@ -127,9 +128,9 @@ pub(crate) enum Command {
     OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
-    /// Selects the direction key at which values are set from now on: a set and a key of it; `None`
-    /// for the key that weighs most.
-    SelectKey(Option<(usize, usize)>),
+    /// Selects the direction key at which values are set from now on; `None` for the key that
+    /// weighs most.
+    SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
     /// Command about the view of the object.

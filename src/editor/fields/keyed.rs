@@ -11,7 +11,7 @@ use crate::commands::Command;
 use crate::document::{DirectionKeys, KeyDirection, Value};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::library::Type;
-use crate::state::keying::{KeyedBy, KeyedLook, said};
+use crate::state::keying::{KeyPlace, KeyedBy, KeyedLook, said};
 use crate::values;
 use crate::widgets::color;
 use crate::widgets::theme;
@@ -118,11 +118,10 @@ fn one_key(
     let button = ui.add(Button::selectable(is_it, text).small());
     let name = format!("Set {} at key {}", marked.label, index + 1);
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, name.clone()));
-    // The key that is selected by hand is one of the look's.
-    let is_of_look = owner == Owner::Look;
-    let held = is_of_look && session.selection.key == Some((set, index));
-    if button.clicked() && is_of_look {
-        out.push(Command::SelectKey((!held).then_some((set, index))));
+    let place = KeyPlace { owner, set, key: index };
+    let held = session.selection.key == Some(place);
+    if button.clicked() {
+        out.push(Command::SelectKey((!held).then_some(place)));
     }
     button.on_hover_ui(|ui| {
         let place = match &keys.by {
@@ -135,17 +134,20 @@ fn one_key(
             }
             KeyDirection::View | KeyDirection::Light(_) => String::new(),
         };
-        let value = value.unwrap_or_else(|| "the look's own value".to_owned());
+        let own = match owner {
+            Owner::Look => "the look's own value",
+            Owner::Scene => "the light's own value",
+        };
+        let value = value.unwrap_or_else(|| own.to_owned());
         let weight = keyed.key_weights(set).get(index).copied().unwrap_or(0.0);
         ui.label(format!(
             "{value} at key {}{place}, which counts {:.0}% now.",
             index + 1,
             weight * 100.0
         ));
-        let help = match (is_of_look, held) {
-            (false, _) => "Values are set at the heaviest key of a scene",
-            (true, true) => "Press to follow the heaviest key again",
-            (true, false) => "Press to set this key",
+        let help = match held {
+            true => "Press to follow the heaviest key again",
+            false => "Press to set this key",
         };
         ui.label(quiet(ui, help));
     });

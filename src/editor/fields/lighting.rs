@@ -8,16 +8,10 @@ use crate::commands::{Command, SceneCommand};
 use crate::document::{Edit, Light, LightField, Look, SceneEdit, Target, Value};
 use crate::frame::set_light_field;
 use crate::ids::{LightId, make_slug};
+pub(crate) use crate::state::keying::Owner;
 use crate::state::keying::{KeyedBy, KeyedLook, scene_edit};
 use crate::state::reading::light_name;
 use crate::state::session::Session;
-
-/// Document that a light belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Owner {
-    Look,
-    Scene,
-}
 
 /// A light with the document that it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +70,11 @@ impl<'s> OwnedKeys<'s> {
     /// The keys of the open look.
     pub(crate) fn of_look(session: &'s Session) -> Self {
         Self { session, owner: Owner::Look, keys: session.keys() }
+    }
+
+    /// The keys of the open look, then those of the scene around it.
+    pub(crate) fn all(session: &'s Session) -> impl Iterator<Item = Self> {
+        [Owner::Look, Owner::Scene].into_iter().filter_map(|owner| Self::of(session, owner))
     }
 
     /// The look that has the keys: the open one, or one of nothing but the scene's lights.

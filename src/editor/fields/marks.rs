@@ -11,7 +11,7 @@ use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
-use crate::state::keying::{KeyedBy, changes_in_time, has_between};
+use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
@@ -134,7 +134,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
         if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
             let edit = keys.key_in_set(index, &marked.target);
             out.extend(edit.and_then(|edit| owned.once(edit)));
-            out.extend(is_of_look.then_some(Command::ShowPanel(PanelId::KEYS)));
+            out.push(Command::ShowPanel(PanelId::KEYS));
         }
     }
     let lights = owned.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
@@ -142,10 +142,9 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
         if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
             out.extend(owned.once(keys.new_set(by, Some(&marked.target))));
-            if is_of_look {
-                out.push(Command::SelectKey(Some((sets.len(), 0))));
-                out.push(Command::ShowPanel(PanelId::KEYS));
-            }
+            let place = KeyPlace { owner: owned.owner, set: sets.len(), key: 0 };
+            out.push(Command::SelectKey(Some(place)));
+            out.push(Command::ShowPanel(PanelId::KEYS));
         }
     };
     for by in lights.chain([KeyDirection::View]).chain(drivers) {

@@ -5,6 +5,7 @@ use indexmap::IndexSet;
 
 use crate::document::{Definition, Edit, Graph, GraphId, OutputPort, Target};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath, PortName};
+use crate::state::keying::KeyPlace;
 use crate::state::reading::LookWithLibrary;
 use crate::state::revision::GraphNumber;
 
@@ -15,8 +16,8 @@ pub struct Selection {
     pub(crate) nodes: IndexSet<NodeId>,
     /// Light that was chosen in a list or by a handle since nodes were last selected.
     pub(crate) light: Option<LightId>,
-    /// The direction key that values are set at: the index of its set, and its index there.
-    pub(crate) key: Option<(usize, usize)>,
+    /// The direction key that values are set at.
+    pub(crate) key: Option<KeyPlace>,
     /// Nodes of groups that lead to the open graph, outermost first.
     groups: Vec<NodeId>,
     /// The graph that the last of the groups leads to.

@@ -29,8 +29,9 @@ impl KeyedLook<'_> {
 
     /// The key of a set at which values are set: the selected one, or else the followed one.
     pub(crate) fn key_at(self, set: usize) -> usize {
-        if let Some((_, key)) = self.selected_key.filter(|(selected, _)| *selected == set) {
-            return key;
+        let selected = self.selected_key.filter(|at| (at.owner, at.set) == (self.owner, set));
+        if let Some(selected) = selected {
+            return selected.key;
         }
         let count = self.base.look.direction_keys.get(set).map_or(0, |keys| keys.keys.len());
         let followed = self.evaluation.followed.get(set).copied().filter(|&key| key < count);

@@ -47,14 +47,32 @@ pub(crate) struct KeyEvaluation {
     pub(crate) followed: Vec<usize>,
 }
 
-/// The open look with the values of its keys in view.
+/// Document that a light, or a set of keys, belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Owner {
+    Look,
+    Scene,
+}
+
+/// Place of a direction key: the document that has it, the index of its set there, and its index in
+/// the set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct KeyPlace {
+    pub(crate) owner: Owner,
+    pub(crate) set: usize,
+    pub(crate) key: usize,
+}
+
+/// The open look with the values of its keys in view, or the lights of the scene with theirs.
 #[derive(Clone, Copy)]
 pub struct KeyedLook<'a> {
+    /// Document that has the keys.
+    pub(crate) owner: Owner,
     pub(crate) base: LookWithLibrary<'a>,
     pub(crate) evaluation: &'a KeyEvaluation,
     pub(crate) view: &'a ViewState,
-    /// The direction key that is selected: the index of its set, and its index there.
-    pub(crate) selected_key: Option<(usize, usize)>,
+    /// The direction key that is selected, of either document.
+    pub(crate) selected_key: Option<KeyPlace>,
     pub(crate) scene: Option<&'a OpenScene>,
     /// Typed look of the last compilation.
     pub(crate) typed: Option<&'a TypedGraph>,
@@ -66,6 +84,14 @@ impl KeyEvaluation {
     /// Marks the values as out of date.
     pub(crate) fn forget(&mut self) {
         self.stamp = None;
+    }
+
+    /// Sets the keys that are followed, of the look and of the scene's lights.
+    pub(crate) fn follow(&mut self, of_look: Vec<usize>, of_scene: Option<Vec<usize>>) {
+        self.followed = of_look;
+        if let (Some(keys), Some(followed)) = (&mut self.of_scene, of_scene) {
+            keys.evaluation.followed = followed;
+        }
     }
 }
 

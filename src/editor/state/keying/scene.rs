@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::{KeyEvaluation, KeyedLook};
+use super::{KeyEvaluation, KeyedLook, Owner};
 use crate::document::{Edit, Look, Scene, SceneEdit};
 use crate::frame::{KeyedValues, Rig, RigInputs};
 use crate::state::reading::LookWithLibrary;
@@ -35,15 +35,17 @@ impl SceneKeys {
         // Without wires nothing runs, and so nothing fails.
         let moment = RigInputs { scene_values: &HashMap::new(), ..*moment };
         let now: KeyedValues = rig.keyed_values(&|_, _| None, None, &moment).unwrap_or_default();
-        Self { look, evaluation: KeyEvaluation { rig: Some(rig), now, ..<_>::default() } }
+        let followed = known.map(|known| known.evaluation.followed.clone()).unwrap_or_default();
+        let rig = Some(rig);
+        Self { look, evaluation: KeyEvaluation { rig, now, followed, ..<_>::default() } }
     }
 
     /// The keys as those of a look, in the view of the open one.
     pub(super) fn seen<'a>(&'a self, view: KeyedLook<'a>) -> KeyedLook<'a> {
         KeyedLook {
+            owner: Owner::Scene,
             base: LookWithLibrary { look: &self.look, ..view.base },
             evaluation: &self.evaluation,
-            selected_key: None,
             typed: None,
             shader: None,
             ..view

@@ -27,7 +27,7 @@ use crate::library::Library;
 use crate::state::compiling::{self};
 use crate::state::crashes::CrashLog;
 use crate::state::document::{OpenDocument, TextFile};
-use crate::state::keying::{KeyEvaluation, KeyedLook};
+use crate::state::keying::{KeyEvaluation, KeyPlace, KeyedLook, Owner};
 use crate::state::orbit::Orbit;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
@@ -188,12 +188,13 @@ impl Session {
         }
         self.look.history.mark_saved();
         self.revisions.problems.advance();
+        if !is_own && self.open_scene.is_some() {
+            // While the scene still knows the look by its old name.
+            self.wear_saved(path);
+        }
         if !is_own {
             // Another folder is another project, with nodes of its own.
             self.reload_library();
-        }
-        if !is_own && self.open_scene.is_some() {
-            self.wear_saved(path);
         }
         self.saved();
         Ok(())
@@ -266,6 +267,7 @@ impl Session {
     /// The look with the values of its keys in view.
     pub fn keys(&self) -> KeyedLook<'_> {
         KeyedLook {
+            owner: Owner::Look,
             base: self.look_with_library(),
             evaluation: &self.key_evaluation,
             view: &self.view,
@@ -282,15 +284,23 @@ impl Session {
         let shader = |sets_values| shaders.of_wires(sets_values, self.revision());
         let Some(evaluation) = self.keys().evaluated(self.stamp(), shader) else { return };
         self.key_evaluation = evaluation;
-        let sets = &self.look.document().direction_keys;
-        let is_there =
-            |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
+        let of_look = &self.look.document().direction_keys;
+        let of_scene = self.open_scene.as_ref().map(|open_scene| open_scene.scene());
+        let is_there = |at: &KeyPlace| {
+            let sets = match at.owner {
+                Owner::Look => of_look.as_slice(),
+                Owner::Scene => of_scene.map_or(&[][..], |scene| &scene.direction_keys),
+            };
+            sets.get(at.set).is_some_and(|keys| at.key < keys.keys.len())
+        };
         self.selection.key = self.selection.key.filter(is_there);
     }
 
     /// Follows the heaviest key of each set, slowly; no other key while a value is held.
     pub(crate) fn follow_keys(&mut self, is_held: bool) {
-        self.key_evaluation.followed = self.keys().followed(is_held);
+        let of_look = self.keys().followed(is_held);
+        let of_scene = self.keys().of_scene().map(|keys| keys.followed(is_held));
+        self.key_evaluation.follow(of_look, of_scene);
     }
 
     /// The open graph.

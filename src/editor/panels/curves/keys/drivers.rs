@@ -33,7 +33,7 @@ pub(super) fn show(
         strip(ui, shown, ground, out);
     }
     let colors = theme::of(ui);
-    Grid::new(("drivers", shown.set))
+    Grid::new(("drivers", shown.owned.owner, shown.set))
         .num_columns(shown.keys.keys.len() + 3)
         .spacing([10.0, 4.0])
         .show(ui, |ui| {
@@ -48,7 +48,7 @@ pub(super) fn show(
                 let now = ui.label(said(&axes[axis], shown.now[axis]));
                 let text = format!(
                     "{} now: {}",
-                    shown.session.keys().driver_name(&axes[axis]),
+                    shown.owned.keys.driver_name(&axes[axis]),
                     said(&axes[axis], shown.now[axis])
                 );
                 now.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
@@ -59,18 +59,11 @@ pub(super) fn show(
                     let remove = ui
                         .add(Button::new("×").small().frame(false))
                         .on_hover_text("Decides no more");
-                    let called = format!(
-                        "Remove the driver {}",
-                        shown.session.keys().driver_name(&axes[axis])
-                    );
+                    let called =
+                        format!("Remove the driver {}", shown.owned.keys.driver_name(&axes[axis]));
                     remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
                     if remove.clicked() {
-                        out.push(Command::Edit(
-                            shown
-                                .session
-                                .keys()
-                                .change_set(shown.set, |keys| remove_axis(keys, axis)),
-                        ));
+                        out.extend(shown.change(|keys| remove_axis(keys, axis)));
                     }
                 }
                 ui.end_row();
@@ -83,8 +76,8 @@ pub(super) fn show(
 
 /// Possible drivers of a set's keys: numbers of the scene, then wires of the look that may change.
 fn all(shown: &KeySetView<'_>) -> impl Iterator<Item = Driver> {
-    let [wires, _] = shown.session.keys().wires(&targets_of(shown.keys));
-    shown.session.keys().drivers().into_iter().chain(wires)
+    let [wires, _] = shown.owned.keys.wires(&targets_of(shown.keys));
+    shown.owned.keys.drivers().into_iter().chain(wires)
 }
 
 /// Shows the choice of an axis's driver.
@@ -95,22 +88,20 @@ fn chosen(
     axis: usize,
     out: &mut Vec<Command>,
 ) {
-    let session = shown.session;
+    let keyed = shown.owned.keys;
     let combo = ComboBox::from_id_salt("driver").width(150.0).wrap_mode(TextWrapMode::Extend);
-    let combo = combo.selected_text(session.keys().driver_name(&axes[axis]));
+    let combo = combo.selected_text(keyed.driver_name(&axes[axis]));
     let combo = combo.show_ui(ui, |ui| {
         for driver in all(shown) {
             let is_free = !axes.contains(&driver);
-            if ui
-                .selectable_label(axes[axis] == driver, session.keys().driver_name(&driver))
-                .clicked()
+            if ui.selectable_label(axes[axis] == driver, keyed.driver_name(&driver)).clicked()
                 && is_free
             {
-                out.push(Command::Edit(session.keys().change_set(shown.set, |keys| {
+                out.extend(shown.change(|keys| {
                     if let KeyDirection::Drivers(axes) = &mut keys.by {
                         axes[axis] = driver;
                     }
-                })));
+                }));
             }
         }
     });
@@ -133,33 +124,29 @@ fn place(
     let mut value = own / per_unit;
     let (speed, suffix) = if driver.is_angle() { (0.5, "°") } else { (0.01, "") };
     let drag = ui.add(DragValue::new(&mut value).speed(speed).suffix(suffix).max_decimals(3));
-    let called = format!("{} of key {}", shown.session.keys().driver_name(driver), key + 1);
+    let called = format!("{} of key {}", shown.owned.keys.driver_name(driver), key + 1);
     drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, called.clone()));
     if drag.changed() && value.is_finite() {
         let moved = (value * per_unit).clamp(-1e6, 1e6);
-        let edit = shown
-            .session
-            .keys()
-            .change_set(shown.set, |keys| keys.keys[key].direction[axis] = moved);
-        out.push(Command::EditHeld(drag.id, edit));
+        out.extend(shown.change_held(drag.id, |keys| keys.keys[key].direction[axis] = moved));
     }
 }
 
 /// Shows the menu that adds a driver to a set; all keys get the driver's present value as their
 /// place.
 fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Command>) {
-    let session = shown.session;
+    let keyed = shown.owned.keys;
     ui.menu_button("Add driver", |ui| {
         ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
             for driver in all(shown).filter(|driver| !axes.contains(driver)) {
-                if ui.button(session.keys().driver_name(&driver)).clicked() {
-                    let now = super::rounded(DVec3::splat(session.keys().driver_now(&driver)))[0];
-                    out.push(Command::Edit(session.keys().change_set(shown.set, |keys| {
+                if ui.button(keyed.driver_name(&driver)).clicked() {
+                    let now = super::rounded(DVec3::splat(keyed.driver_now(&driver)))[0];
+                    out.extend(shown.change(|keys| {
                         let KeyDirection::Drivers(axes) = &mut keys.by else { return };
                         let axis = axes.len();
                         axes.push(driver);
                         keys.keys.iter_mut().for_each(|key| key.direction[axis] = now);
-                    })));
+                    }));
                 }
             }
         });
@@ -220,7 +207,7 @@ fn strip(ui: &mut Ui, shown: &KeySetView<'_>, ground: &mut Ground, out: &mut Vec
     {
         let far = |key: usize| (at(shown.keys.keys[key].direction[0]) - pointer.x).abs();
         let nearest = (0..shown.keys.keys.len()).min_by(|a, b| far(*a).total_cmp(&far(*b)));
-        out.push(Command::SelectKey(nearest.map(|key| (shown.set, key))));
+        out.push(Command::SelectKey(nearest.map(|key| shown.place(key))));
     }
     response.on_hover_text(
         "Colored by the key that weighs there; the line is where the driver is now. Press a key to \

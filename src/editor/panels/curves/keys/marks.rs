@@ -24,7 +24,7 @@ pub(super) fn key_handle(
     let colors = theme::of(ui);
     let at = globe.project(direction);
     let is_front = globe.is_front(direction);
-    let id = ui.scope_id().with(("key", shown.set, index));
+    let id = ui.scope_id().with(("key", shown.owned.owner, shown.set, index));
     let weight = shown.weights.get(index).copied().unwrap_or(0.0);
     let handled = handle(ui, id, at, &format!("Direction key {}", index + 1), weight, true);
     let side = handled.response.id.with("side");
@@ -32,7 +32,7 @@ pub(super) fn key_handle(
         ui.data_mut(|data| data.insert_temp(side, is_front));
     }
     if handled.response.clicked() || handled.response.drag_started() {
-        out.push(Command::SelectKey(Some((shown.set, index))));
+        out.push(Command::SelectKey(Some(shown.place(index))));
     }
     let moved = match handled.to {
         Some(to) => {
@@ -45,17 +45,16 @@ pub(super) fn key_handle(
         None => None,
     };
     if let Some(moved) = moved {
-        let edit = shown
-            .session
-            .keys()
-            .change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
-        out.push(Command::EditHeld(handled.response.id, edit));
+        let direction = rounded(moved);
+        out.extend(shown.change_held(handled.response.id, |keys| {
+            keys.keys[index].direction = direction;
+        }));
     }
     if handle::pressed(ui, &handled.response, Key::Delete) {
-        remove(&KeySetView { key: index, ..KeySetView { weights: Vec::new(), ..*shown } }, out);
+        remove(&shown.with_key(index), out);
     }
     if handle::pressed(ui, &handled.response, Key::D) {
-        copy(&KeySetView { key: index, ..KeySetView { weights: Vec::new(), ..*shown } }, out);
+        copy(&shown.with_key(index), out);
     }
     let is_selected = shown.key == index;
     let radius = if is_front { 8.0 } else { 6.5 };

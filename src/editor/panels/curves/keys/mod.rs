@@ -10,16 +10,17 @@ mod table;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit,
-    TextWrapMode, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, RichText, Role, ScrollArea, Sense, Stroke,
+    TextEdit, TextWrapMode, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
 use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
 use crate::fields::constant_wires;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::panels::table::{PanelPlace, PanelRow};
-use crate::state::keying::rounded;
+use crate::state::keying::{KeyPlace, rounded};
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
@@ -42,7 +43,8 @@ const BESIDE: f64 = 0.4;
 /// The panel of direction keys, and its state.
 #[derive(Default)]
 pub(crate) struct Keys {
-    set: usize,
+    /// The set that is shown, where it is there: its document, and its index there.
+    set: Option<(Owner, usize)>,
     /// Turn of the sphere: yaw and pitch in radians, for light directions and for view directions.
     turned: [Option<[f64; 2]>; 2],
     ground: Ground,
@@ -54,7 +56,7 @@ pub(crate) struct Keys {
 
 /// Set of keys that is shown.
 struct KeySetView<'a> {
-    session: &'a Session,
+    owned: OwnedKeys<'a>,
     set: usize,
     keys: &'a DirectionKeys,
     /// Key at which values are set, by index.
@@ -63,27 +65,52 @@ struct KeySetView<'a> {
     now: DVec3,
 }
 
+impl<'a> KeySetView<'a> {
+    /// The set of an index, as of now.
+    fn of(owned: OwnedKeys<'a>, set: usize) -> Option<Self> {
+        let keys = owned.look().direction_keys.get(set)?;
+        let weights = owned.keys.key_weights(set);
+        let now = owned.keys.direction_of(&keys.by);
+        Some(Self { owned, set, keys, key: owned.keys.key_at(set), weights, now })
+    }
+
+    /// The same set with another key in hand.
+    fn with_key(&self, key: usize) -> Self {
+        Self { key, weights: Vec::new(), ..*self }
+    }
+
+    /// Place of a key of the set.
+    fn place(&self, key: usize) -> KeyPlace {
+        KeyPlace { owner: self.owned.owner, set: self.set, key }
+    }
+
+    /// Command that changes the set, as a step of its own.
+    fn change(&self, change: impl FnOnce(&mut DirectionKeys)) -> Option<Command> {
+        self.owned.once(self.owned.keys.change_set(self.set, change))
+    }
+
+    /// Command that changes the set for as long as a widget is held.
+    fn change_held(
+        &self,
+        widget: egui::Id,
+        change: impl FnOnce(&mut DirectionKeys),
+    ) -> Option<Command> {
+        self.owned.held(widget, self.owned.keys.change_set(self.set, change))
+    }
+}
+
 impl Keys {
-    /// Shows a set of direction keys.
+    /// Shows a set of direction keys of the look or of the scene.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let sets = &session.look().direction_keys;
-        if let Some((set, _)) = session.selection.key {
-            self.set = set;
+        if let Some(place) = session.selection.key {
+            self.set = Some((place.owner, place.set));
         }
-        self.set = self.set.min(sets.len().saturating_sub(1));
-        let Some(keys) = sets.get(self.set) else {
+        let Some(shown) = self.shown(session) else {
             nothing(ui, session, &mut commands);
             return commands;
         };
-        let weights = session
-            .keys()
-            .decided(self.set)
-            .map(|(_, weights)| weights.clone())
-            .unwrap_or_default();
-        let now = session.keys().direction_of(&keys.by);
-        let key = session.keys().key_at(self.set);
-        let shown = KeySetView { session, set: self.set, keys, key, weights, now };
+        let keys = shown.keys;
         self.sets(ui, &shown, &mut commands);
         let room = ui.available_size();
         if let KeyDirection::Drivers(axes) = &keys.by {
@@ -108,6 +135,19 @@ impl Keys {
         commands
     }
 
+    /// The set that is in hand, or the first of the look's and the scene's.
+    fn shown<'s>(&mut self, session: &'s Session) -> Option<KeySetView<'s>> {
+        let in_hand = self.set.and_then(|(owner, set)| {
+            let owned = OwnedKeys::of(session, owner)?;
+            // After the last set was removed the one before it is shown.
+            KeySetView::of(owned, set.min(owned.look().direction_keys.len().saturating_sub(1)))
+        });
+        let first = || OwnedKeys::all(session).find_map(|owned| KeySetView::of(owned, 0));
+        let shown = in_hand.or_else(first);
+        self.set = shown.as_ref().map(|shown| (shown.owned.owner, shown.set));
+        shown
+    }
+
     fn beside(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         shares(ui, shown);
         self.buttons(ui, shown, out);
@@ -119,25 +159,12 @@ impl Keys {
 
     /// Shows the choice of the set, of its driver, and of the scheme of weights.
     fn sets(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
-        let KeySetView { session, set, keys, .. } = shown;
+        let KeySetView { owned, set, keys, .. } = shown;
         ui.horizontal_wrapped(|ui| {
-            let sets = &session.look().direction_keys;
-            if sets.len() > 1 {
-                let combo = ComboBox::from_id_salt("set").selected_text(format!(
-                    "{} of {}",
-                    set + 1,
-                    sets.len()
-                ));
-                let combo = combo.width(56.0).show_ui(ui, |ui| {
-                    for (index, keys) in sets.iter().enumerate() {
-                        if ui.selectable_label(index == *set, &keys.name).clicked() {
-                            self.set = index;
-                            self.back = None;
-                            out.push(Command::SelectKey(None));
-                        }
-                    }
-                });
-                name(&combo.response, Role::ComboBox, "Set of keys");
+            self.choice(ui, shown, out);
+            if owned.owner == Owner::Scene {
+                let text = RichText::new("Of the scene").small().color(theme::of(ui).dim);
+                ui.label(text).on_hover_text("These keys move lights of the scene, in every look");
             }
             let mut called = keys.name.clone();
             let edit = ui.add(
@@ -148,34 +175,62 @@ impl Keys {
             );
             name(&edit, Role::TextInput, "Name of the keys");
             if edit.changed() {
-                out.push(Command::EditHeld(
-                    edit.id,
-                    session.keys().change_set(*set, |keys| keys.name = called),
-                ));
+                out.extend(shown.change_held(edit.id, |keys| keys.name = called));
             }
             if keys.by.axes().is_none() {
                 by(ui, shown, out);
                 scheme(ui, shown, out);
             }
-            add_menu(ui, session, "Add set", out);
-            let help = "Removes these keys: every value is the look's own again";
+            add_menu(ui, owned.session, "Add set", out);
+            let help = "Removes these keys: every value is its own again";
             if ui.button("Remove set").on_hover_text(help).clicked() {
                 out.push(Command::SelectKey(None));
-                out.push(Command::Edit(Edit::RemoveDirectionKeys { index: *set }));
+                out.extend(owned.once(Edit::RemoveDirectionKeys { index: *set }));
             }
         });
     }
 
+    /// Shows the list of all sets, the look's and then the scene's, where there are several.
+    fn choice(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
+        let all: Vec<KeySetView<'_>> = OwnedKeys::all(shown.owned.session)
+            .flat_map(|owned| {
+                let sets = 0..owned.look().direction_keys.len();
+                sets.filter_map(move |set| KeySetView::of(owned, set))
+            })
+            .collect();
+        if all.len() < 2 {
+            return;
+        }
+        let place = |set: &KeySetView<'_>| (set.owned.owner, set.set);
+        let index = all.iter().position(|set| place(set) == place(shown)).unwrap_or_default();
+        let combo = ComboBox::from_id_salt("set").width(56.0);
+        let combo = combo.selected_text(format!("{} of {}", index + 1, all.len()));
+        let combo = combo.show_ui(ui, |ui| {
+            for (at, set) in all.iter().enumerate() {
+                let name = match set.owned.owner {
+                    Owner::Look => set.keys.name.clone(),
+                    Owner::Scene => format!("{} · of the scene", set.keys.name),
+                };
+                if ui.selectable_label(at == index, name).clicked() {
+                    self.set = Some(place(set));
+                    self.back = None;
+                    out.push(Command::SelectKey(None));
+                }
+            }
+        });
+        name(&combo.response, Role::ComboBox, "Set of keys");
+    }
+
     /// Shows the buttons for the selected key.
     fn buttons(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
-        let KeySetView { session, set, keys, key, .. } = shown;
+        let KeySetView { owned, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
         ui.horizontal_wrapped(|ui| {
             let help = "Adds a key where the light or the view is now, with the values that are \
                         seen now";
             if ui.button("Add key here").on_hover_text(help).clicked() {
-                out.push(Command::Edit(add_here(shown)));
-                out.push(Command::SelectKey(Some((*set, keys.keys.len()))));
+                out.extend(owned.once(owned.keys.key_here(shown.set)));
+                out.push(Command::SelectKey(Some(shown.place(keys.keys.len()))));
             }
             if ui.add_enabled(
                 can_edit, egui::Button::new("Copy key")
@@ -189,7 +244,7 @@ impl Keys {
             let to = keys
                 .keys
                 .get(*key)
-                .and_then(|key| jump::to(session, &keys.by, key.direction.into()));
+                .and_then(|key| jump::to(*owned, &keys.by, key.direction.into()));
             let help =
                 "Brings the light or the view to this key, to compare; Back returns. The document \
                  is not changed";
@@ -200,7 +255,7 @@ impl Keys {
             if go.on_disabled_hover_text(help).clicked()
                 && let Some(view) = to
             {
-                self.back.get_or_insert_with(|| session.view.orbit.clone());
+                self.back.get_or_insert_with(|| owned.session.view.orbit.clone());
                 out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
             let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
@@ -298,63 +353,71 @@ fn name(response: &egui::Response, role: Role, text: &str) {
     response.widget_info(|| WidgetInfo::labeled(role, true, text));
 }
 
-/// Shows the purpose of direction keys and how to begin, where the look has none.
+/// Shows the purpose of direction keys and how to begin, where neither look nor scene has any.
 fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     hint(
         ui,
-        "Direction keys change a look with where the light, or the view, is: a rim light that \
-         turns violet as it comes \
-         around, a highlight that goes out from behind. Begin with what decides, or with the \
-         diamond beside any value.",
+        "Direction keys change a look, or the lights of a scene, with where the light, or the \
+         view, is: a rim light that turns violet as it comes around, a highlight that goes out \
+         from behind. Begin with what decides, or with the diamond beside any value.",
     );
     add_menu(ui, session, "Add direction keys", out);
 }
 
 fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) {
-    ui.menu_button(text, |ui| {
-        let mut add = |ui: &mut Ui, text: String, by: KeyDirection| {
-            if ui.button(text).clicked() {
-                let index = session.look().direction_keys.len();
-                out.push(Command::Edit(session.keys().new_set(by, None)));
-                out.push(Command::SelectKey(Some((index, 0))));
-            }
-        };
-        for id in session.look().lights.keys() {
-            add(
-                ui,
-                format!("By the light \"{}\"", session.look_with_library().light_name(id)),
-                KeyDirection::Light(id.clone()),
-            );
-        }
-        add(ui, "By the view".to_owned(), KeyDirection::View);
-        ui.separator();
-        for driver in session.keys().drivers() {
-            add(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
-        }
-        let [wires, constant] = session.keys().wires(&[]);
-        if !wires.is_empty() || !constant.is_empty() {
+    let menu = ui.menu_button(text, |ui| {
+        new_sets(ui, OwnedKeys::of_look(session), out);
+        let of_scene = OwnedKeys::of(session, Owner::Scene);
+        if let Some(owned) = of_scene.filter(|owned| !owned.look().lights.is_empty()) {
             ui.separator();
+            let menu = ui.menu_button("For lights of the scene", |ui| new_sets(ui, owned, out));
+            menu.response.on_hover_text("Keys of the scene move its lights, in every look");
         }
-        ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
-            for driver in wires {
-                add(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
-            }
-        });
-        constant_wires::note(ui, session, &constant);
-    })
-    .response
-    .on_hover_text(
-        "Another set of keys, by the direction of a light or of the view, by a number \
-                    of the scene, or by a wire of the \
-         look that is one number for the whole object",
+    });
+    menu.response.on_hover_text(
+        "Another set of keys, by the direction of a light or of the view, by a number of the \
+         scene, or by a wire of the look that is one number for the whole object",
     );
 }
 
+/// Shows an entry for each thing that may decide between keys of a document.
+fn new_sets(ui: &mut Ui, owned: OwnedKeys<'_>, out: &mut Vec<Command>) {
+    let keys = owned.keys;
+    let mut add = |ui: &mut Ui, text: String, by: KeyDirection| {
+        if ui.button(text).clicked() {
+            let set = owned.look().direction_keys.len();
+            out.extend(owned.once(keys.new_set(by, None)));
+            let place = KeyPlace { owner: owned.owner, set, key: 0 };
+            out.push(Command::SelectKey(Some(place)));
+        }
+    };
+    for id in owned.look().lights.keys() {
+        let text = format!("By the light \"{}\"", keys.base.light_name(id));
+        add(ui, text, KeyDirection::Light(id.clone()));
+    }
+    add(ui, "By the view".to_owned(), KeyDirection::View);
+    ui.separator();
+    for driver in keys.drivers() {
+        add(ui, keys.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+    }
+    let [wires, constant] = keys.wires(&[]);
+    if wires.is_empty() && constant.is_empty() {
+        return;
+    }
+    ui.separator();
+    ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
+        for driver in wires {
+            add(ui, keys.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+        }
+    });
+    constant_wires::note(ui, owned.session, &constant);
+}
+
 fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
-    let KeySetView { session, set, keys, .. } = shown;
+    let KeySetView { owned, keys, .. } = shown;
     let text = |by: &KeyDirection| match by {
         KeyDirection::View => "By the view".to_owned(),
-        KeyDirection::Light(id) => format!("By \"{}\"", session.look_with_library().light_name(id)),
+        KeyDirection::Light(id) => format!("By \"{}\"", owned.keys.base.light_name(id)),
         KeyDirection::Drivers(_) => String::new(),
     };
     let combo = ComboBox::from_id_salt("by")
@@ -362,10 +425,10 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         .wrap_mode(TextWrapMode::Extend)
         .selected_text(text(&keys.by))
         .show_ui(ui, |ui| {
-            let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+            let lights = owned.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
             for by in lights.chain([KeyDirection::View]) {
                 if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
-                    out.push(Command::Edit(session.keys().change_set(*set, |keys| keys.by = by)));
+                    out.extend(shown.change(|keys| keys.by = by));
                 }
             }
         });
@@ -377,7 +440,7 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
 }
 
 fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
-    let KeySetView { session, set, keys, .. } = shown;
+    let keys = shown.keys;
     let text = |scheme| match scheme {
         KeyScheme::Biharmonic => {
             ("Biharmonic", "The smoothest weights on a sphere, in closed form")
@@ -396,9 +459,7 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
                 let (label, help) = text(choice);
                 let is_it = keys.scheme == choice;
                 if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
-                    out.push(Command::Edit(
-                        session.keys().change_set(*set, |keys| keys.scheme = choice),
-                    ));
+                    out.extend(shown.change(|keys| keys.scheme = choice));
                 }
             }
         });
@@ -436,18 +497,6 @@ fn shares(ui: &mut Ui, shown: &KeySetView<'_>) {
     response.on_hover_text("How much each key counts where the light or the view is now");
 }
 
-fn add_here(shown: &KeySetView<'_>) -> Edit {
-    let KeySetView { session, set, keys, now, .. } = shown;
-    let values = crate::state::keying::targets_of(keys)
-        .into_iter()
-        .filter_map(|target| Some((target.clone(), session.keys().value_now(&target)?)))
-        .collect();
-    let direction = rounded(*now);
-    session.keys().change_set(*set, |keys| {
-        keys.keys.push(DirectionKey { direction, values, unknown: Default::default() });
-    })
-}
-
 fn copy(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let Some(original) = shown.keys.keys.get(shown.key) else { return };
     let direction = match shown.keys.by.axes() {
@@ -459,18 +508,16 @@ fn copy(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         }
     };
     let copied = DirectionKey { direction, ..original.clone() };
-    out.push(Command::Edit(
-        shown.session.keys().change_set(shown.set, |keys| keys.keys.push(copied)),
-    ));
-    out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));
+    out.extend(shown.change(|keys| keys.keys.push(copied)));
+    out.push(Command::SelectKey(Some(shown.place(shown.keys.keys.len()))));
 }
 
 fn remove(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let key = shown.key;
     out.push(Command::SelectKey(None));
-    out.push(Command::Edit(shown.session.keys().change_set(shown.set, |keys| {
+    out.extend(shown.change(|keys| {
         if key < keys.keys.len() {
             keys.keys.remove(key);
         }
-    })));
+    }));
 }

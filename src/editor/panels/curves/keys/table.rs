@@ -7,6 +7,7 @@ use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
 use super::KeySetView;
 use crate::commands::Command;
 use crate::document::{LightField, Target};
+use crate::fields::lighting::Owner;
 use crate::library::Type;
 use crate::state::keying::{has_between, targets_of};
 use crate::widgets::text::hint;
@@ -16,7 +17,7 @@ use crate::widgets::value;
 /// Shows the table.
 pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let targets = targets_of(shown.keys);
-    Grid::new(("keyed values", shown.set))
+    Grid::new(("keyed values", shown.owned.owner, shown.set))
         .num_columns(shown.keys.keys.len() + 2)
         .spacing([10.0, 4.0])
         .show(ui, |ui| {
@@ -29,7 +30,7 @@ pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) 
         hint(
             ui,
             "These keys change nothing yet: add a value, or press the diamond beside one in the \
-             inspector.",
+             inspector or in Lights.",
         );
     }
     add_value(ui, shown, &targets, out);
@@ -40,8 +41,9 @@ fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     ui.label(RichText::new("Value").small().color(colors.dim));
     // A key that is newly selected on the sphere is scrolled into view.
     let seen = egui::Id::unique("key in view");
-    let is_new = ui.data(|data| data.get_temp(seen)) != Some((shown.set, shown.key));
-    ui.data_mut(|data| data.insert_temp(seen, (shown.set, shown.key)));
+    let place = shown.place(shown.key);
+    let is_new = ui.data(|data| data.get_temp(seen)) != Some(place);
+    ui.data_mut(|data| data.insert_temp(seen, place));
     for index in 0..shown.keys.keys.len() {
         let is_it = shown.key == index;
         let text = RichText::new(format!("Key {}", index + 1)).color(colors.hue(index)).strong();
@@ -60,16 +62,18 @@ fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         let help = "Values set elsewhere in the window are set at this key; press again to follow \
                     the heaviest key";
         if response.on_hover_text(help).clicked() {
-            let is_held = shown.session.selection.key == Some((shown.set, index));
-            out.push(Command::SelectKey((!is_held).then_some((shown.set, index))));
+            let place = shown.place(index);
+            let is_held = shown.owned.session.selection.key == Some(place);
+            out.push(Command::SelectKey((!is_held).then_some(place)));
         }
     }
     ui.end_row();
 }
 
 fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Command>) {
-    let KeySetView { session, set, keys, .. } = shown;
-    let [owner, what] = session.look_with_library().names_of(target);
+    let KeySetView { owned, set, keys, .. } = shown;
+    let base = owned.keys.base;
+    let [owner, what] = base.names_of(target);
     let called = format!("{owner}: {what}");
     let link = ui
         .link(RichText::new(&called).color(theme::of(ui).text))
@@ -79,7 +83,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     {
         out.push(Command::Show(node.clone()));
     }
-    let Some(port) = session.look_with_library().port_at(target) else {
+    let Some(port) = base.port_at(target) else {
         ui.end_row();
         return;
     };
@@ -88,33 +92,27 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
             ui.horizontal(|ui| {
                 let name = format!("{called} at key {}", index + 1);
                 let own = key.values.get(target);
-                let Some(now) =
-                    own.cloned().or_else(|| session.look_with_library().own_value(target))
-                else {
-                    return;
-                };
+                let Some(now) = own.cloned().or_else(|| base.own_value(target)) else { return };
                 if own.is_none() {
-                    let help =
-                        "This key leaves the look's own value; press to give it one of its own";
-                    let text = RichText::new("the look's").color(theme::of(ui).dim);
+                    let help = "This key leaves the document's own value; press to give it one";
+                    let whose = match owned.owner {
+                        Owner::Look => "the look's",
+                        Owner::Scene => "the light's",
+                    };
+                    let text = RichText::new(whose).color(theme::of(ui).dim);
                     let response = ui.add(Button::new(text).small()).on_hover_text(help);
                     response.widget_info(|| {
                         WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}"))
                     });
                     if response.clicked() {
-                        out.push(Command::Edit(
-                            session.keys().set_in_key(*set, index, target, now),
-                        ));
+                        out.extend(owned.once(owned.keys.set_in_key(*set, index, target, now)));
                     }
                     return;
                 }
-                if let Some((id, value)) =
-                    value::cell(ui, &name, &port, &now, session.look().color_space)
-                {
-                    out.push(Command::EditHeld(
-                        id,
-                        session.keys().set_in_key(*set, index, target, value),
-                    ));
+                let space = owned.session.look().color_space;
+                if let Some((id, value)) = value::cell(ui, &name, &port, &now, space) {
+                    let edit = owned.keys.set_in_key(*set, index, target, value);
+                    out.extend(owned.held(id, edit));
                 }
                 let is_only =
                     keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
@@ -122,10 +120,10 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
                 clear.widget_info(|| {
                     WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
                 });
-                if clear.on_hover_text("Leaves the look's own value at this key").clicked() {
-                    out.push(Command::Edit(session.keys().change_set(*set, |keys| {
+                if clear.on_hover_text("Leaves the own value at this key").clicked() {
+                    out.extend(shown.change(|keys| {
                         keys.keys[index].values.shift_remove(target);
-                    })));
+                    }));
                 }
             });
         });
@@ -134,7 +132,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
     if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked()
     {
-        out.push(Command::Edit(session.keys().unkey(target)));
+        out.extend(owned.once(owned.keys.unkey(target)));
     }
     ui.end_row();
 }
@@ -142,10 +140,11 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
 /// Shows the menu of values that can be keyed: inputs of the selected nodes, and fields of the
 /// lights.
 fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Vec<Command>) {
-    let session = shown.session;
+    let (session, owned) = (shown.owned.session, shown.owned);
+    let has_nodes = owned.owner == Owner::Look;
     ui.menu_button("Add value", |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-            for id in &session.selection.nodes {
+            for id in session.selection.nodes.iter().filter(|_| has_nodes) {
                 let kind =
                     session.graph().nodes.get(id).and_then(|node| session.project.catalog.of(node));
                 let ports = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default();
@@ -155,10 +154,10 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
                     entry(ui, shown, &target, is_free && !known.contains(&target), out);
                 }
             }
-            if session.selection.nodes.is_empty() {
+            if has_nodes && session.selection.nodes.is_empty() {
                 hint(ui, "Select a node to key its values.");
             }
-            for (id, light) in &session.look().lights {
+            for (id, light) in &owned.look().lights {
                 // The position and the direction of a light are no values for a table; the diamonds
                 // beside these fields key them.
                 let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
@@ -182,11 +181,13 @@ fn entry(
     is_new: bool,
     out: &mut Vec<Command>,
 ) {
-    let [owner, what] = shown.session.look_with_library().names_of(target);
+    let owned = shown.owned;
+    let [owner, what] = owned.keys.base.names_of(target);
     if is_new
-        && shown.session.keys().value_now(target).is_some()
+        && owned.keys.value_now(target).is_some()
         && ui.button(format!("{owner}: {what}")).clicked()
     {
-        out.extend(shown.session.keys().key_in_set(shown.set, target).map(Command::Edit));
+        let edit = owned.keys.key_in_set(shown.set, target);
+        out.extend(edit.and_then(|edit| owned.once(edit)));
     }
 }
