@@ -15,7 +15,7 @@ use glam::DVec3;
 use indexmap::IndexSet;
 
 use crate::commands::{Command, LightMark, PlacingCommand, table};
-use crate::fields::layer::{self, SelectedLayer, middle_name};
+use crate::fields::layer::{self, RegionLayers, SelectedLayer, middle_name};
 use crate::fields::lighting::{OwnedLight, Owner, light_in_view, set_light_like};
 use crate::ids::LightId;
 use crate::placing::{KeptDistance, Parametrization, PlacedLight, terminator_angle};
@@ -167,10 +167,9 @@ impl PlacingTool {
         session: &Session,
         light: &LightId,
     ) -> Result<(WantedMark, Option<&'static str>), String> {
-        let layers = layer::fed_by(session, light);
         match self.mark {
-            LightMark::Highlight => Ok(highlight(session, &layers)),
-            LightMark::Terminator => terminator(&layers),
+            LightMark::Highlight => Ok(highlight(session, light)),
+            LightMark::Terminator => terminator(&edge_layer(session, light)?),
             LightMark::Shadow => self
                 .caster
                 .map(|caster| (WantedMark::Shadow(caster), None))
@@ -300,7 +299,7 @@ impl PlacingTool {
                 let name = name(session, &id);
                 match (self.mark, self.caster) {
                     (LightMark::Highlight, _) => {
-                        let middle = match highlight(session, &layer::fed_by(session, &id)).0 {
+                        let middle = match highlight(session, &id).0 {
                             WantedMark::Angle { parametrization, .. } => {
                                 middle_name(parametrization)
                             }
@@ -308,14 +307,14 @@ impl PlacingTool {
                         };
                         format!("Click or drag on the model: the {middle} of {name} goes there")
                     }
-                    (LightMark::Terminator, _) => {
-                        let layers = layer::fed_by(session, &id);
-                        let of = edge_layer(&layers).map(|layer| format!(" in {}", layer.name));
-                        format!(
-                            "Click or drag on the model: the terminator of {name}{} goes there",
-                            of.unwrap_or_default()
-                        )
-                    }
+                    (LightMark::Terminator, _) => match edge_layer(session, &id) {
+                        Ok(layer) => format!(
+                            "Click or drag on the model: the terminator of {name} in {} goes \
+                                 there",
+                            layer.name
+                        ),
+                        Err(why) => why,
+                    },
                     (LightMark::Shadow, None) => {
                         format!("Click what casts the shadow of {name}")
                     }
@@ -330,7 +329,8 @@ impl PlacingTool {
             (false, Some(_)) => "Esc chooses another caster",
             (false, None) => "Esc leaves",
         };
-        let told = self.told.as_ref().map(|told| format!("{told} · "));
+        let told = self.told.as_ref().filter(|told| **told != next);
+        let told = told.map(|told| format!("{told} · "));
         format!("{}{next} · {escape}", told.unwrap_or_default())
     }
 
@@ -377,7 +377,9 @@ fn name(session: &Session, id: &LightId) -> String {
 
 /// Goal of a highlight: where the view is mirrored, or the middle of what the layers light, where
 /// none of them mirrors.
-fn highlight(session: &Session, layers: &[SelectedLayer]) -> (WantedMark, Option<&'static str>) {
+fn highlight(session: &Session, light: &LightId) -> (WantedMark, Option<&'static str>) {
+    let mut layers = layer::fed_by(session, light);
+    layers.extend(RegionLayers::of(session, light).layers);
     let mirroring = layers.iter().find(|layer| layer.shading.mirrors());
     let layer = mirroring.or_else(|| layers.first());
     // A half-vector lies on the normal where the mirrored view lies on the light.
@@ -390,16 +392,42 @@ fn highlight(session: &Session, layers: &[SelectedLayer]) -> (WantedMark, Option
     (goal, layer.and_then(|layer| layer.leaves_out))
 }
 
-/// The layer whose terminator is meant: the first, which is the selected one.
-fn edge_layer(layers: &[SelectedLayer]) -> Option<&SelectedLayer> {
-    layers.first()
+/// The layer whose terminator is meant: the first of the open graph, which is the selected one, or
+/// the one of a group that runs for each light.
+///
+/// # Errors
+/// The reason why there is none, or why it is not known which, as a sentence without its end.
+fn edge_layer(session: &Session, light: &LightId) -> Result<SelectedLayer, String> {
+    let regions = RegionLayers::of(session, light);
+    if let Some(index) = regions.selected {
+        return Ok(regions.layers[index].clone());
+    }
+    if let Some(layer) = layer::fed_by(session, light).into_iter().next() {
+        return Ok(layer);
+    }
+    let (name, groups) = (name(session, light), regions.groups.join(", "));
+    let names: Vec<&str> = regions.layers.iter().map(|layer| layer.name.as_str()).collect();
+    match &regions.layers[..] {
+        [layer] => Ok(layer.clone()),
+        [] if groups.is_empty() => Err(format!(
+            "No layer of this graph draws {name}, so that it has no terminator: place it by its \
+             highlight or its shadow"
+        )),
+        [] => Err(format!(
+            "{groups} draws {name}, but by no profile of that light's angle alone, so that it has \
+             no terminator: place it by its highlight or its shadow"
+        )),
+        _ => Err(format!(
+            "{name} has {} terminators: {}. Open the group, select the profile that is meant, and \
+             click again",
+            names.len(),
+            names.join(", ")
+        )),
+    }
 }
 
 /// Goal of a terminator.
-fn terminator(layers: &[SelectedLayer]) -> Result<(WantedMark, Option<&'static str>), String> {
-    let Some(layer) = edge_layer(layers) else {
-        return Err("No layer of this graph draws the light, so that it has no terminator".into());
-    };
+fn terminator(layer: &SelectedLayer) -> Result<(WantedMark, Option<&'static str>), String> {
     if layer.shape.iter().any(|setting| setting.is_wired) {
         return Err(format!(
             "The angles of {} come by wires, so that its terminator is not known",

@@ -1,19 +1,19 @@
 //! The selected layer, as far as it can be edited on the object: its light, profile, warp and
-//! colors.
+//! colors; and all layers that draw a light, those in groups that run for each light among them.
+
+mod place;
+mod regions;
 
 use std::f64::consts::PI;
 
-use crate::catalog::NodeKind;
-use crate::document::{Graph, Node, Target, Value};
+use crate::document::{Target, Value};
 use crate::fields::lighting::light_in_view;
-use crate::ids::{LightId, NodeId};
-use crate::library::Type;
+use crate::ids::{LightId, NodeId, NodePath};
 use crate::placing::Parametrization;
 use crate::state::session::Session;
-use crate::values;
+use place::NodeInGraph;
 
-/// Largest number of reroutes that a wire is followed through.
-const MOST_REROUTES: usize = 64;
+pub(crate) use regions::RegionLayers;
 
 /// Name of the place where a parametrization's angle is 0.
 pub(crate) fn middle_name(parametrization: Parametrization) -> &'static str {
@@ -65,6 +65,8 @@ impl Curve {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SelectedLayer {
     pub(crate) node: NodeId,
+    /// The node with the groups that it lies in.
+    pub(crate) path: NodePath,
     pub(crate) name: String,
     pub(crate) light: LightId,
     pub(crate) shading: Parametrization,
@@ -99,95 +101,6 @@ impl SelectedLayer {
         let offset = offset.clamp(0.0, PI);
         let cutoff = cutoff.clamp(offset, PI);
         [offset, falloff.clamp(offset, cutoff), cutoff]
-    }
-}
-
-/// Node with its kind, in the graph that is open.
-struct NodeInGraph<'a> {
-    session: &'a Session,
-    graph: &'a Graph,
-    id: &'a NodeId,
-    node: &'a Node,
-    kind: &'a NodeKind,
-}
-
-impl<'a> NodeInGraph<'a> {
-    fn of(session: &'a Session, id: &NodeId) -> Option<Self> {
-        let graph = session.graph();
-        let (id, node) = graph.nodes.get_key_value(id.as_str())?;
-        Some(Self { session, graph, id, node, kind: session.project.catalog.of(node)? })
-    }
-
-    /// Node that is wired to an input, through reroutes.
-    fn feeds(&self, port: &str) -> Option<Self> {
-        let mut wire = self.graph.wire_into(self.id, &port.into())?;
-        for _ in 0..MOST_REROUTES {
-            let place = Self::of(self.session, &wire.from.node)?;
-            if !place.kind.is_reroute {
-                return Some(place);
-            }
-            let input = place.kind.inputs.first()?.name.clone();
-            wire = self.graph.wire_into(place.id, &input)?;
-        }
-        None
-    }
-
-    fn is_wired(&self, port: &str) -> bool {
-        self.graph.wire_into(self.id, &port.into()).is_some()
-    }
-
-    fn value(&self, port: &str) -> Option<&Value> {
-        let port = &self.kind.inputs[self.kind.input(port)?];
-        values::current(port, self.node.values.get(&port.name))
-    }
-
-    fn setting<T>(&self, port: &str, read: impl Fn(Option<&Value>) -> T) -> Option<Setting<T>> {
-        self.kind.input(port)?;
-        let target = self.session.selection.target(self.id, &port.into());
-        let value = read(self.session.keys().value_now(&target).as_ref());
-        let at_key = read(self.session.keys().value_at(&target).as_ref());
-        Some(Setting { target, value, at_key, is_wired: self.is_wired(port) })
-    }
-
-    fn number(&self, port: &str) -> Option<Setting<f64>> {
-        self.setting(port, values::number)
-    }
-
-    fn color(&self, port: &str) -> Option<Setting<[f64; 4]>> {
-        let space = self.session.look().color_space;
-        self.setting(port, |value| {
-            value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0])
-        })
-    }
-
-    fn word(&self, port: &str) -> Option<&str> {
-        match self.value(port)? {
-            Value::Text(word) => Some(word),
-            _ => None,
-        }
-    }
-
-    fn light(&self) -> Option<LightId> {
-        let port = self.kind.inputs.iter().find(|port| port.ty == Type::LightName)?;
-        let id = LightId::new(self.word(port.name.as_str())?);
-        self.session.look().lights.contains_key(&id).then_some(id)
-    }
-
-    fn name(&self) -> String {
-        if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
-    }
-
-    fn shape(&self) -> Option<[Setting<f64>; 3]> {
-        Some([self.number("offset")?, self.number("falloff")?, self.number("cutoff")?])
-    }
-
-    /// True if an input has the surface's own curvature, or normal.
-    fn is_plain(&self, port: &str, kind: &str) -> bool {
-        !self.is_wired(port)
-            || self.feeds(port).is_some_and(|from| {
-                from.node.kind == kind
-                    && (kind != "kappa" || from.word("source") == Some("surface"))
-            })
     }
 }
 
@@ -274,6 +187,7 @@ fn group(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
         colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
     Some(SelectedLayer {
         node: place.id.clone(),
+        path: place.path.clone(),
         name: place.name(),
         light: place.light()?,
         shading,
@@ -314,6 +228,7 @@ fn profile(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     };
     Some(SelectedLayer {
         node: place.id.clone(),
+        path: place.path.clone(),
         name: place.name(),
         light: light.light()?,
         shading: Parametrization::of(angle.word("type")?)?,
