@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::support::eval::{look, scene_of, shape, told};
 use chiaro::compile::Live;
-use chiaro::document::{Camera, Scene};
+use chiaro::document::{Camera, LightSet, Scene};
 use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, SetupLook};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -141,6 +141,18 @@ fn groups_that_run_for_each_light_are_told_apart() {
         assert!(wanted > 0.0 && (of_each[0].value - wanted).abs() < 1e-9, "{id}: {of_each:?}");
     }
     assert!(found["light_7"].readings.is_empty() && found["light_7"].reaches);
+}
+
+/// A light that reaches the object, and not all of its nodes, says so.
+#[test]
+fn nodes_that_a_light_does_not_reach_are_told_with_their_rule() {
+    let sun = json!({"space": "world", "direction": [0, 0, 1]});
+    let mut worn = for_each(&json!({"key": sun, "rim": sun}), "*");
+    worn.look.graph.nodes["each"].links.unlayered = LightSet::parse("rim").unwrap();
+    let (found, _) = accounts(&wall(worn, &json!({})), 0.0);
+    assert!(found["rim"].reaches && found["rim"].readings.is_empty());
+    let wanted = format!("not each: `unlayered` (`rim`) has it; {}", found["key"].rule);
+    assert_eq!(found["rim"].rule, wanted);
 }
 
 /// Keys of looks and of scenes, by time and by the object, move what arrives as they move what is

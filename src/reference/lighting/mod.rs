@@ -9,8 +9,8 @@ use self::arrival::Arrival;
 use super::probe::WireValue;
 use super::surface::ProbedSurface;
 use crate::diag::Diagnostic;
-use crate::document::{LightKind, LightValues, Look, Node};
-use crate::frame::{FramePlan, LightReach, Setup};
+use crate::document::{LightKind, LightRelation, LightValues, Look, Node};
+use crate::frame::{FramePlan, LayerReach, LightReach, Setup};
 use crate::ids::{LightId, NodePath};
 use crate::library::Library;
 
@@ -35,7 +35,8 @@ pub struct LightAccount {
     pub name: String,
     /// True if it reaches the pixel's object.
     pub reaches: bool,
-    /// The rule that decides, in words.
+    /// The rule that decides, in words; of a light that reaches the object also the nodes that it
+    /// does not reach there, each with its rule.
     pub rule: String,
     /// Angle between the normal and the way to the light, in radians.
     pub facing: f64,
@@ -71,11 +72,23 @@ pub fn light_accounts(
         return Ok(Vec::new());
     };
     let lights = setup.object_lights(plan, draw, time)?;
+    let is_kept_away = |layer: &LayerReach| {
+        let (is_of_object, is_of_look) = (layer.object == object.id, layer.look == look.look.name);
+        let is_layer = layer.reach.relation == LightRelation::Layered && !layer.reach.reaches;
+        is_of_object && is_of_look && is_layer
+    };
+    let mut kept_away = setup.layer_reach(library, time);
+    kept_away.retain(is_kept_away);
     let mut accounts = Vec::new();
     for reach in setup.light_reach().into_iter().filter(|reach| reach.object == object.id) {
         let Some(values) = lights.get(&reach.light) else { continue };
         if let Some(mut account) = account(setup, values, reach, surface)? {
             if account.reaches {
+                let of_light = kept_away.iter().filter(|layer| layer.reach.light == account.light);
+                // What is left out tells more than what is so, and stands first.
+                let away = of_light.map(|layer| (&layer.reach.node, &layer.reach.words));
+                let away: String = away.map(|(node, why)| format!("not {node}: {why}; ")).collect();
+                account.rule = away + &account.rule;
                 account.readings = readings(&look.look, library, &account.light, wires);
             }
             accounts.push(account);

@@ -11,7 +11,7 @@ use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
 /// Left ends of the columns, as parts of the width.
-const COLUMNS: [f32; 5] = [0.0, 0.2, 0.31, 0.45, 0.7];
+const COLUMNS: [f32; 5] = [0.0, 0.2, 0.31, 0.42, 0.62];
 /// Titles of the columns, with their help.
 const TITLES: [(&str, &str); 5] = [
     ("Light", "A click shows the first node that the light goes through"),
