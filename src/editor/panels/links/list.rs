@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 
 use eframe::egui::{
     Align2, FontId, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    pos2, vec2,
+    collapsing_header, pos2, vec2,
 };
 
+use super::layer::LayerRow;
 use super::relation::{LinkChange, Relation};
-use super::{LightRow, PaneContext};
+use super::{LightRow, ObjectRow, PaneContext};
 use crate::commands::Command;
 use crate::ids::{LightId, ObjectId};
 use crate::panels::lights::swatch;
@@ -35,27 +36,46 @@ struct RowStanding {
     rules: Vec<String>,
     /// The rule, where there is one pair.
     rule: String,
-    /// Casters of shadows, where there is one pair.
-    shadows: String,
+    /// Layers that the light does not reach, where there is one pair.
+    dark: Option<String>,
+    /// Names of lights in the rule, and casters of shadows, where there is one pair.
+    aside: Vec<String>,
 }
 
 impl RowStanding {
     /// The standing of pairs of lights and objects.
     fn of<'p>(
         context: &PaneContext<'_>,
-        pairs: impl Iterator<Item = (&'p LightId, &'p ObjectId)>,
+        pairs: impl Iterator<Item = (&'p LightId, &'p ObjectRow)>,
     ) -> Self {
         let mut found = Self::default();
-        for (light, object) in pairs {
-            let Some(state) = context.matrix.state(context.relation, object, light) else {
+        for (light, row) in pairs {
+            let Some(state) = context.matrix.row_state(context.relation, row, light) else {
                 continue;
             };
             found.all += 1;
             found.yes += usize::from(state.is_so);
             found.rule.clone_from(&state.rule);
-            let casters = match context.relation {
-                Relation::Light => context.matrix.casters(object, light),
-                Relation::Shadow => Vec::new(),
+            (found.dark, found.aside) = (None, Vec::new());
+            found.aside.extend(names_in(&state.rule, context));
+            let light_name = context.mix.lights.name(light);
+            let object = match row {
+                ObjectRow::Object(object) => object,
+                ObjectRow::Layer(object, layer) => {
+                    let name = context.matrix.layer_name(object, layer);
+                    let (verb, rule) = (layer.verb(state.is_so), &state.rule);
+                    found.tell(format!("{name} of {object} {verb} {light_name}: {rule}"));
+                    continue;
+                }
+            };
+            let is_light = context.relation == Relation::Light;
+            let casters = match is_light {
+                true => context.matrix.casters(object, light),
+                false => Vec::new(),
+            };
+            let dark = match is_light {
+                true => context.matrix.dark_layers(object, light),
+                false => Vec::new(),
             };
             let count = casters.len();
             let casters: Vec<&str> = casters.into_iter().map(ObjectId::as_str).collect();
@@ -63,20 +83,23 @@ impl RowStanding {
                 [] => "no shadows there".to_owned(),
                 casters => format!("shadows of {}", casters.join(", ")),
             };
-            let tells = state.is_so && context.relation == Relation::Light;
+            let tells = state.is_so && is_light;
+            let dark = (!dark.is_empty()).then(|| format!("not {}", dark.join(", ")));
+            let verb = context.relation.verb(state.is_so);
+            let shadows_told = if tells { format!(", with {shadows}") } else { String::new() };
+            let dark_told = dark.as_ref().map(|dark| format!(", {dark}")).unwrap_or_default();
+            found.tell(format!(
+                "{object} {verb} {light_name}: {}{dark_told}{shadows_told}",
+                state.rule
+            ));
             // A row has room only for what the links of shadows change.
             let is_plain = count == context.matrix.object_count();
-            found.shadows = if tells && !is_plain { shadows.clone() } else { String::new() };
-            if found.rules.len() < RULES {
-                let verb = context.relation.verb(state.is_so);
-                let name = context.mix.lights.name(light);
-                let shadows = if tells { format!(", with {shadows}") } else { String::new() };
-                found.rules.push(format!("{object} {verb} {name}: {}{shadows}", state.rule));
-            }
+            found.dark = dark;
+            found.aside.extend((tells && !is_plain).then_some(shadows));
         }
         if found.all > 1 {
             found.rule = format!("{} of {}", found.yes, found.all);
-            found.shadows.clear();
+            (found.dark, found.aside) = (None, Vec::new());
         }
         if found.all > found.rules.len() {
             found.rules.push(format!("and {} more", found.all - found.rules.len()));
@@ -84,9 +107,38 @@ impl RowStanding {
         found
     }
 
+    /// Keeps a sentence for the tooltip, where there is room for it.
+    fn tell(&mut self, sentence: String) {
+        if self.rules.len() < RULES {
+            self.rules.push(sentence);
+        }
+    }
+
+    /// The rule with what stands beside it; what is left out tells most, and stands first.
+    fn told(&self) -> String {
+        let dark = self.dark.iter().map(String::as_str);
+        let aside = self.aside.iter().map(String::as_str);
+        dark.chain([self.rule.as_str()]).chain(aside).collect::<Vec<_>>().join(" · ")
+    }
+
     fn is_all(&self) -> bool {
         self.all > 0 && self.yes == self.all
     }
+}
+
+/// Display names of lights that a rule names by ids which read otherwise: "light_2 is Eye".
+fn names_in(rule: &str, context: &PaneContext<'_>) -> Option<String> {
+    let is_of_id = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    // Rules quote expressions; their words outside are no ids.
+    let quoted = rule.split('`').skip(1).step_by(2);
+    let words: BTreeSet<&str> = quoted.flat_map(|text| text.split(|c| !is_of_id(c))).collect();
+    let lights = context.mix.lights.lights();
+    let named = lights
+        .iter()
+        .filter(|(id, light)| words.contains(id.as_str()) && light.display_name(id) != id.as_str());
+    let named: Vec<String> =
+        named.map(|(id, light)| format!("{id} is {}", light.display_name(id))).collect();
+    (!named.is_empty()).then(|| named.join(", "))
 }
 
 /// Lights of a row.
@@ -100,14 +152,18 @@ pub(super) fn lights(
     context: &PaneContext<'_>,
     rows: &[LightRow],
     chosen: &mut BTreeSet<LightRow>,
-    objects: &BTreeSet<ObjectId>,
+    objects: &BTreeSet<ObjectRow>,
     out: &mut Vec<Command>,
 ) -> Option<MarkedChange> {
-    let asked = match objects.len() {
-        0 => "Lights".to_owned(),
-        1 => format!("Lights of {}", objects.first().map_or("", ObjectId::as_str)),
-        count => format!("Lights of {count} objects"),
+    let asked = match (objects.len(), objects.first()) {
+        (1, Some(ObjectRow::Object(object))) => format!("Lights of {object}"),
+        (1, Some(ObjectRow::Layer(object, layer))) => {
+            format!("Lights of {} of {object}", context.matrix.layer_name(object, layer))
+        }
+        (0, _) => "Lights".to_owned(),
+        (count, _) => format!("Lights of {count} rows of objects"),
     };
+    let linked: Vec<ObjectId> = objects.iter().filter_map(ObjectRow::object).cloned().collect();
     head(ui, &asked);
     let rows: Vec<&LightRow> = rows.iter().collect();
     if rows.is_empty() {
@@ -129,17 +185,24 @@ pub(super) fn lights(
         };
         let color = color.map(|light| swatch(light, context.space));
         let is_out = !context.mix.shines(&row.term());
-        let line =
-            PaneLine { name: &name, of, color, is_quiet: is_out, standing: standing.as_ref() };
-        let (response, is_marked) = line.show(ui, chosen.contains(row), out);
-        select(ui, &response, &rows, index, chosen);
-        if let Some(standing) = standing.filter(|_| is_marked) {
+        let line = PaneLine {
+            name: &name,
+            of,
+            color,
+            is_quiet: is_out,
+            standing: standing.as_ref(),
+            is_fixed: linked.is_empty(),
+            fold: FoldMark::Absent,
+        };
+        let shown = line.show(ui, chosen.contains(row), out);
+        select(ui, &shown.response, &rows, index, chosen);
+        if let Some(standing) = standing.filter(|_| shown.is_marked) {
             let terms = vec![row.term()];
             let marked = match standing.is_all() {
                 true => LinkChange::Unlink(terms),
                 false => LinkChange::Link(terms),
             };
-            change = Some((marked, objects.iter().cloned().collect()));
+            change = Some((marked, linked.clone()));
         }
     });
     change
@@ -149,8 +212,9 @@ pub(super) fn lights(
 pub(super) fn objects(
     ui: &mut Ui,
     context: &PaneContext<'_>,
+    (rows, unfolded): (&[ObjectRow], &mut BTreeSet<ObjectId>),
     lights: &BTreeSet<LightRow>,
-    chosen: &mut BTreeSet<ObjectId>,
+    chosen: &mut BTreeSet<ObjectRow>,
     out: &mut Vec<Command>,
 ) -> Option<MarkedChange> {
     let asked = match (lights.len(), lights.first()) {
@@ -160,28 +224,50 @@ pub(super) fn objects(
         (count, _) => format!("Objects and {count} rows of lights"),
     };
     head(ui, &asked);
-    let rows: Vec<&ObjectId> = context.open_scene.scene().objects.keys().collect();
+    let rows: Vec<&ObjectRow> = rows.iter().collect();
+    let objects = &context.open_scene.scene().objects;
+    let has_layers = |id: &ObjectId| {
+        context.relation == Relation::Light && context.matrix.layers(id).next().is_some()
+    };
+    let has_folds = objects.keys().any(has_layers);
     if rows.is_empty() {
         hint(ui, "The scene has no objects yet.");
     }
     let all: BTreeSet<LightId> = lights.iter().flat_map(|row| lights_of(context, row)).collect();
     let mut change = None;
     pane(ui, "objects", rows.len(), |ui, index| {
-        let id = rows[index];
-        let pairs = all.iter().map(|light| (light, id));
+        let row = rows[index];
+        let pairs = all.iter().map(|light| (light, row));
         let standing = (!lights.is_empty()).then(|| RowStanding::of(context, pairs));
-        let is_hidden = context.open_scene.scene().objects.get(id).is_some_and(|o| !o.visible);
-        let name = id.as_str();
+        let (ObjectRow::Object(id) | ObjectRow::Layer(id, _)) = row;
+        let is_hidden = objects.get(id).is_some_and(|object| !object.visible);
+        let (name, of, fold) = match row {
+            ObjectRow::Object(_) if has_layers(id) => {
+                let is_open = unfolded.contains(id);
+                (id.to_string(), "object", FoldMark::Triangle { is_open })
+            }
+            ObjectRow::Object(_) if has_folds => (id.to_string(), "object", FoldMark::Room),
+            ObjectRow::Object(_) => (id.to_string(), "object", FoldMark::Absent),
+            ObjectRow::Layer(_, layer) => {
+                let of = if layer.is_filter { "filter" } else { "layer" };
+                (layer_text(context, id, layer), of, FoldMark::Below)
+            }
+        };
         let line = PaneLine {
-            name,
-            of: "object",
+            name: &name,
+            of,
             color: None,
             is_quiet: is_hidden,
             standing: standing.as_ref(),
+            is_fixed: row.object().is_none(),
+            fold,
         };
-        let (response, is_marked) = line.show(ui, chosen.contains(id), out);
-        select(ui, &response, &rows, index, chosen);
-        if let Some(standing) = standing.filter(|_| is_marked) {
+        let shown = line.show(ui, chosen.contains(row), out);
+        select(ui, &shown.response, &rows, index, chosen);
+        if shown.is_folded && !unfolded.remove(id) {
+            unfolded.insert(id.clone());
+        }
+        if let Some(standing) = standing.filter(|_| shown.is_marked) {
             let terms = lights.iter().map(LightRow::term).collect();
             let marked = match standing.is_all() {
                 true => LinkChange::Unlink(terms),
@@ -191,6 +277,12 @@ pub(super) fn objects(
         }
     });
     change
+}
+
+/// Name of a layer, with the word for one that filters.
+fn layer_text(context: &PaneContext<'_>, object: &ObjectId, layer: &LayerRow) -> String {
+    let name = context.matrix.layer_name(object, layer);
+    if layer.is_filter { format!("{name}, as a filter") } else { name.to_owned() }
 }
 
 fn head(ui: &mut Ui, text: &str) {
@@ -238,6 +330,29 @@ fn select<T: Ord + Clone>(
     }
 }
 
+/// Place before a row's name for the mark that unfolds it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum FoldMark {
+    /// No row of the pane has layers.
+    Absent,
+    /// Other rows have layers.
+    Room,
+    Triangle {
+        is_open: bool,
+    },
+    /// The row is a layer of the row above.
+    Below,
+}
+
+/// Row that was shown.
+struct ShownLine {
+    response: Response,
+    /// True if its mark was clicked.
+    is_marked: bool,
+    /// True if it is to be folded or unfolded.
+    is_folded: bool,
+}
+
 /// Row of a pane.
 struct PaneLine<'l> {
     name: &'l str,
@@ -247,6 +362,9 @@ struct PaneLine<'l> {
     /// True for a light that is out, and for an object that is hidden.
     is_quiet: bool,
     standing: Option<&'l RowStanding>,
+    /// True if a click on the mark changes nothing.
+    is_fixed: bool,
+    fold: FoldMark,
 }
 
 impl PaneLine<'_> {
@@ -259,11 +377,11 @@ impl PaneLine<'_> {
         }
     }
 
-    /// Shows the row. Returns its response, and true if its mark was clicked.
-    fn show(&self, ui: &mut Ui, is_chosen: bool, out: &mut Vec<Command>) -> (Response, bool) {
+    /// Shows the row.
+    fn show(&self, ui: &mut Ui, is_chosen: bool, out: &mut Vec<Command>) -> ShownLine {
         let width = ui.available_width() - 8.0;
         let (rect, response) = ui.allocate_exact_size(vec2(width, ROW), Sense::click());
-        let rule = self.standing.map(|standing| standing.rule.clone()).unwrap_or_default();
+        let rule = self.standing.map(RowStanding::told).unwrap_or_default();
         response.widget_info(|| {
             let label = format!("Link {}", self.full_name());
             let mut info = WidgetInfo::selected(Role::ListItem, true, is_chosen, label);
@@ -277,6 +395,7 @@ impl PaneLine<'_> {
         }
         let colors = theme::of(ui);
         let mut left = rect.left() + 6.0;
+        let is_folded = self.triangle(ui, &mut left, rect);
         let is_marked = self.standing.is_some_and(|standing| {
             let at = Rect::from_min_size(pos2(left, rect.top() + 2.0), vec2(20.0, 20.0));
             left += 24.0;
@@ -291,33 +410,60 @@ impl PaneLine<'_> {
         let font = FontId::proportional(theme::TEXT_SIZE);
         let ink = if self.is_quiet { colors.dim } else { colors.text };
         let room = (rect.right() - left).max(0.0);
-        let split = left + if self.standing.is_some() { room * 0.42 } else { room };
+        let split = left + if self.standing.is_some() { room * 0.5 } else { room };
         let name = Rect::from_min_max(pos2(left, rect.top()), pos2(split - 6.0, rect.bottom()));
         cell(ui, name, self.name, font, ink);
         if let Some(standing) = self.standing {
             let small = FontId::proportional(theme::SMALL_TEXT);
             let place = Rect::from_min_max(pos2(split, rect.top()), rect.max - vec2(4.0, 0.0));
-            let text = match (standing.all, standing.shadows.is_empty()) {
-                (0, _) if self.of == "group" => "no light of it".to_owned(),
+            let text = match (standing.all, self.of) {
+                (0, "group") => "no light of it".to_owned(),
+                (0, "layer" | "filter") => "not about it".to_owned(),
+                (0, "light") if self.is_fixed => "the layer is not about it".to_owned(),
                 (0, _) => "no look has it".to_owned(),
-                (_, true) => standing.rule.clone(),
-                (_, false) => format!("{} · {}", standing.rule, standing.shadows),
+                _ => standing.told(),
             };
             cell(ui, place, &text, small, colors.dim);
         }
         let help = self.standing.map(|standing| standing.rules.join("\n")).unwrap_or_default();
-        let click = "A click selects; Ctrl adds, Shift selects all between";
+        let click = match self.fold {
+            FoldMark::Below => {
+                "A click selects: the lights' marks are its own then. Its sets are changed in \
+                 Objects, under Lights of its layers, or at the node itself"
+            }
+            _ => "A click selects; Ctrl adds, Shift selects all between",
+        };
         let help = if help.is_empty() { click.to_owned() } else { format!("{help}\n{click}") };
-        (response.on_hover_text(help), is_marked)
+        ShownLine { response: response.on_hover_text(help), is_marked, is_folded }
+    }
+
+    /// Shows the triangle that unfolds the row's layers, or leaves its room. Returns true if it was
+    /// clicked.
+    fn triangle(&self, ui: &mut Ui, left: &mut f32, rect: Rect) -> bool {
+        let at = Rect::from_center_size(pos2(*left + 7.0, rect.center().y), vec2(11.0, 11.0));
+        *left += match self.fold {
+            FoldMark::Absent => 0.0,
+            FoldMark::Room | FoldMark::Triangle { .. } => 18.0,
+            FoldMark::Below => 34.0,
+        };
+        let FoldMark::Triangle { is_open } = self.fold else { return false };
+        let response = ui.interact(at, ui.scope_id().with("fold"), Sense::click());
+        let label = format!("Layers of {}", self.name);
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &label));
+        collapsing_header::paint_default_icon(ui, f32::from(u8::from(is_open)), &response);
+        let help = "Layers of its looks that are about lights";
+        response.on_hover_text(help).clicked()
     }
 
     /// Shows how the row stands to the selection. Returns true if a click asks to change that.
     fn mark(&self, ui: &Ui, at: Rect, standing: &RowStanding) -> bool {
         let id = ui.scope_id().with("mark");
-        let response = ui.interact(at, id, Sense::click());
+        let sense = if self.is_fixed { Sense::hover() } else { Sense::click() };
+        let response = ui.interact(at, id, sense);
         let is_all = standing.is_all();
         let label = format!("{} is linked", self.full_name());
-        response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_all, &label));
+        let is_on = !self.is_fixed;
+        response.widget_info(|| WidgetInfo::selected(Role::CheckBox, is_on, is_all, &label));
         let colors = theme::of(ui);
         let (center, radius) = (at.center(), 5.0);
         let ink = if standing.yes > 0 { colors.accent } else { colors.dim };
@@ -339,9 +485,11 @@ impl PaneLine<'_> {
             ui.painter().rect_stroke(at, 3.0, stroke, StrokeKind::Inside);
         }
         let clicked = response.clicked();
-        response.on_hover_text(match is_all {
-            true => "Linked: a click unlinks it",
-            false => "Not linked, or not all: a click links it",
+        response.on_hover_text(match (self.is_fixed, is_all) {
+            (true, true) => "It is reached",
+            (true, false) => "It is not reached, or not by all",
+            (false, true) => "Linked: a click unlinks it",
+            (false, false) => "Not linked, or not all: a click links it",
         });
         clicked
     }

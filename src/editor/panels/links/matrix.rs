@@ -6,10 +6,13 @@ use std::sync::Arc;
 
 use indexmap::IndexMap;
 
+use super::ObjectRow;
+use super::layer::{LayerRow, LayerStates, ObjectLayers, layers_of};
 use super::relation::Relation;
 use crate::document::{Light, LightLink, LinkRule};
 use crate::frame::{Assets, Setup};
 use crate::ids::{LightId, ObjectId};
+use crate::library::Library;
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::state::snapshot::RenderSnapshot;
@@ -17,6 +20,8 @@ use crate::state::worker::{BackgroundJobs, Worker};
 
 /// Most pairs of a light and an object that are resolved for the window.
 const MOST_PAIRS: usize = 1_000_000;
+/// Most of these whose objects' layers are resolved too.
+const MOST_PAIRS_WITH_LAYERS: usize = 50_000;
 
 /// State of the documents that a matrix is of.
 type MatrixKey = (DocumentNumber, LookRevision, Option<PictureRevision>);
@@ -36,18 +41,27 @@ pub(super) struct LinkMatrix {
     reach: HashMap<ObjectId, IndexMap<LightId, LinkState>>,
     /// Lights whose shadows an object casts or not, and objects that it casts them onto.
     casts: IndexMap<ObjectId, (IndexMap<LightId, LinkState>, BTreeSet<ObjectId>)>,
+    /// Layers of the objects' looks, with the lights that they are about.
+    layers: ObjectLayers,
+    /// True if there are too many lights and objects to resolve layers here.
+    pub(super) has_no_layers: bool,
     /// True if there are too many lights and objects to resolve them here.
     pub(super) is_too_large: bool,
 }
 
 impl LinkMatrix {
-    /// Resolves a setup.
-    fn of(setup: &Setup) -> Self {
+    /// Resolves a setup at a time, in seconds.
+    fn of(setup: &Setup, library: &Library, time: f64) -> Self {
         let lights = setup.all_lights();
-        if lights.len().saturating_mul(setup.objects.len()) > MOST_PAIRS {
+        let pairs = lights.len().saturating_mul(setup.objects.len());
+        if pairs > MOST_PAIRS {
             return Self { is_too_large: true, ..Self::default() };
         }
         let mut matrix = Self::default();
+        matrix.has_no_layers = pairs > MOST_PAIRS_WITH_LAYERS;
+        if !matrix.has_no_layers {
+            matrix.layers = layers_of(setup, library, time);
+        }
         for found in setup.light_reach() {
             let state = LinkState { is_so: found.reaches, rule: found.words };
             matrix.reach.entry(found.object).or_default().insert(found.light, state);
@@ -74,6 +88,45 @@ impl LinkMatrix {
             Relation::Light => self.reach.get(object)?.get(light),
             Relation::Shadow => self.casts.get(object)?.0.get(light),
         }
+    }
+
+    /// Relation of a light to a row: to an object, or to a layer of one.
+    pub(super) fn row_state(
+        &self,
+        relation: Relation,
+        row: &ObjectRow,
+        light: &LightId,
+    ) -> Option<&LinkState> {
+        match row {
+            ObjectRow::Object(object) => self.state(relation, object, light),
+            ObjectRow::Layer(object, layer) => {
+                self.layers.get(object)?.get(layer)?.states.get(light)
+            }
+        }
+    }
+
+    /// Layers of an object.
+    pub(super) fn layers(
+        &self,
+        object: &ObjectId,
+    ) -> impl Iterator<Item = (&LayerRow, &LayerStates)> {
+        self.layers.get(object).into_iter().flatten()
+    }
+
+    /// Display name of a layer.
+    pub(super) fn layer_name(&self, object: &ObjectId, layer: &LayerRow) -> &str {
+        let found = self.layers.get(object).and_then(|layers| layers.get(layer));
+        found.map_or("", |layer| layer.name.as_str())
+    }
+
+    /// Names of the layers that a light does not reach, although it reaches their object.
+    pub(super) fn dark_layers(&self, object: &ObjectId, light: &LightId) -> Vec<&str> {
+        let is_lit = self.state(Relation::Light, object, light).is_some_and(|state| state.is_so);
+        let is_dark = |(row, layer): &(&LayerRow, &LayerStates)| {
+            !row.is_filter && layer.states.get(light).is_some_and(|state| !state.is_so)
+        };
+        let all = self.layers(object).filter(|_| is_lit).filter(is_dark);
+        all.map(|(_, layer)| layer.name.as_str()).collect()
     }
 
     /// Number of visible objects.
@@ -116,7 +169,7 @@ impl MatrixSource {
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let worker = Worker::new("links", wake, |snapshot: RenderSnapshot| {
             let setup = snapshot.setup(&mut Assets::of(&snapshot.assets)).ok()?;
-            Some(Arc::new(LinkMatrix::of(&setup.value)))
+            Some(Arc::new(LinkMatrix::of(&setup.value, &snapshot.library, snapshot.time)))
         });
         Self { worker, asked: None, matrix: Arc::default() }
     }

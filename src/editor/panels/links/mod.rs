@@ -1,7 +1,9 @@
 //! Links: lights at the left, objects at the right, and which of them light which. What is selected
 //! on one side marks the other: select lights and see what they light, select objects and see what
 //! lights them, each with the rule that decides. Buttons change the links of the selected objects.
+//! An object unfolds to the layers of its looks that are about lights, which are marked alike.
 
+mod layer;
 mod list;
 mod matrix;
 mod relation;
@@ -15,6 +17,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId, SceneCommand};
 use crate::document::{ColorSpace, LightSet, SceneEdit, SetTerm};
+use crate::fields::layer::light_at_hand;
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::ids::{LightGroup, LightId, ObjectId};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
@@ -22,6 +25,7 @@ use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
+use layer::LayerRow;
 use matrix::{LinkMatrix, MatrixSource};
 use relation::{LinkChange, Relation};
 
@@ -41,7 +45,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 
 /// Row of the lights' pane. Groups stand above lights.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) enum LightRow {
+enum LightRow {
     Group(LightGroup),
     Light(LightId),
 }
@@ -56,6 +60,23 @@ impl LightRow {
     }
 }
 
+/// Row of the objects' pane. Layers of an object stand below it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+enum ObjectRow {
+    Object(ObjectId),
+    Layer(ObjectId, LayerRow),
+}
+
+impl ObjectRow {
+    /// The object, where the row is not a layer of one.
+    fn object(&self) -> Option<&ObjectId> {
+        match self {
+            Self::Object(id) => Some(id),
+            Self::Layer(..) => None,
+        }
+    }
+}
+
 /// The panel and its state.
 pub(crate) struct Links {
     source: MatrixSource,
@@ -64,7 +85,9 @@ pub(crate) struct Links {
     /// Selected rows of the lights' pane.
     chosen_lights: BTreeSet<LightRow>,
     /// Selected rows of the objects' pane.
-    chosen_objects: BTreeSet<ObjectId>,
+    chosen_objects: BTreeSet<ObjectRow>,
+    /// Objects whose layers are listed.
+    unfolded: BTreeSet<ObjectId>,
     /// Expression to append or to put in place; empty for the selected lights.
     expression: String,
     /// Object of the picture that the pointer was last at.
@@ -91,6 +114,7 @@ impl Links {
             relation: Relation::default(),
             chosen_lights: BTreeSet::new(),
             chosen_objects: BTreeSet::new(),
+            unfolded: BTreeSet::new(),
             expression: String::new(),
             pointed: None,
             followed: None,
@@ -108,7 +132,7 @@ impl Links {
         let selected = open_scene.selected().map(|(id, _)| id.clone());
         if presence == Presence::Seen && self.followed != selected {
             if let Some(selected) = &selected {
-                self.chosen_objects = BTreeSet::from([selected.clone()]);
+                self.chosen_objects = BTreeSet::from([ObjectRow::Object(selected.clone())]);
             }
             self.followed = selected;
         }
@@ -127,14 +151,16 @@ impl Links {
             return out;
         };
         let matrix = self.source.matrix(session);
-        let objects = &open_scene.scene().objects;
-        self.chosen_objects.retain(|id| objects.contains_key(id));
+        let object_rows = self.object_rows(open_scene, &matrix);
+        self.chosen_objects.retain(|row| object_rows.contains(row));
         let rows: Vec<LightRow> = self.rows(open_scene);
         self.chosen_lights.retain(|row| rows.contains(row));
         if matrix.is_too_large {
             let text = "There are too many lights and objects to list what lights what here: \
                         chiaro lights --matrix does. Links can be changed.";
             ui.label(RichText::new(text).color(theme::of(ui).warning));
+        } else if matrix.has_no_layers {
+            hint(ui, "With so many lights and objects chiaro lights --matrix lists their layers.");
         }
         self.bar(ui, open_scene, &mut out);
         let Some(mix) = SceneMix::of(session, &self.lights) else { return out };
@@ -162,6 +188,7 @@ impl Links {
                 _ => list::objects(
                     &mut ui,
                     &context,
+                    (&object_rows, &mut self.unfolded),
                     &self.chosen_lights,
                     &mut self.chosen_objects,
                     &mut out,
@@ -179,6 +206,25 @@ impl Links {
     fn rows(&self, open_scene: &OpenScene) -> Vec<LightRow> {
         let groups = self.lights.groups(Some(open_scene.scene())).into_iter().map(LightRow::Group);
         groups.chain(self.lights.lights().keys().cloned().map(LightRow::Light)).collect()
+    }
+
+    /// Rows of the objects' pane: the objects, those that are unfolded with their layers.
+    fn object_rows(&self, open_scene: &OpenScene, matrix: &LinkMatrix) -> Vec<ObjectRow> {
+        let has_layers = self.relation == Relation::Light;
+        let objects = open_scene.scene().objects.keys();
+        objects
+            .flat_map(|id| {
+                let is_open = has_layers && self.unfolded.contains(id);
+                let layers = matrix.layers(id).filter(move |_| is_open);
+                let layers = layers.map(|(row, _)| ObjectRow::Layer(id.clone(), row.clone()));
+                std::iter::once(ObjectRow::Object(id.clone())).chain(layers)
+            })
+            .collect()
+    }
+
+    /// Selected objects, without their layers.
+    fn objects_in_hand(&self) -> impl Iterator<Item = &ObjectId> {
+        self.chosen_objects.iter().filter_map(ObjectRow::object)
     }
 
     /// Terms of the selected lights.
@@ -217,7 +263,11 @@ impl Links {
         let Some(open_scene) = session.open_scene() else {
             return tell("Lights are linked to objects of a scene: add an object to begin one");
         };
-        let terms = self.terms();
+        let mut terms = self.terms();
+        if terms.is_empty() {
+            // The light at hand stands in for a selection.
+            terms.extend(light_at_hand(session).map(|id| SetTerm::Id(id.to_string())));
+        }
         if terms.is_empty() {
             let mut out = tell("Select lights in Links first: then this links them to the object");
             out.push(Command::ShowPanel(PanelId::LINKS));
@@ -245,7 +295,7 @@ impl Links {
 
     fn bar(&mut self, ui: &mut Ui, open_scene: &OpenScene, out: &mut Vec<Command>) {
         let terms = self.terms();
-        let is_ready = !terms.is_empty() && !self.chosen_objects.is_empty();
+        let is_ready = !terms.is_empty() && self.objects_in_hand().next().is_some();
         ui.horizontal_wrapped(|ui| {
             for relation in Relation::ALL {
                 let response = ui.selectable_value(&mut self.relation, relation, relation.label());
@@ -268,7 +318,7 @@ impl Links {
                 let button = ui.add_enabled(is_ready, Button::new(label));
                 let button = button.on_hover_text(help).on_disabled_hover_text(missing);
                 if button.clicked() {
-                    out.extend(self.change(open_scene, &change, self.chosen_objects.iter()));
+                    out.extend(self.change(open_scene, &change, self.objects_in_hand()));
                 }
             }
             ui.separator();
@@ -310,7 +360,7 @@ impl Links {
                     .to_owned()
             }
         });
-        let is_ready = !self.chosen_objects.is_empty() && !text.is_empty();
+        let is_ready = self.objects_in_hand().next().is_some() && !text.is_empty();
         for (label, help, make) in [
             (
                 "Append",
@@ -329,7 +379,7 @@ impl Links {
             let button = button.on_hover_text(help).on_disabled_hover_text(missing);
             if let (true, Ok(set)) = (button.clicked(), &set) {
                 let change = make(set.clone());
-                out.extend(self.change(open_scene, &change, self.chosen_objects.iter()));
+                out.extend(self.change(open_scene, &change, self.objects_in_hand()));
             }
         }
     }
