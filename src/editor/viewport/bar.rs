@@ -273,7 +273,10 @@ pub(super) fn over_top(
     through: Option<&str>,
     out: &mut Vec<Command>,
 ) {
-    if session.view.wire.is_none() && session.view.solo.is_empty() && through.is_none() {
+    let open_scene = session.open_scene();
+    let is_soloed = open_scene.is_some_and(|open_scene| !open_scene.scene().soloed.is_none());
+    let is_told = is_soloed || session.view.wire.is_some() || !session.view.solo.is_empty();
+    if !is_told && through.is_none() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -293,6 +296,7 @@ pub(super) fn over_top(
             }
             wire_bar(ui, session, out);
             out.extend(solo_bar::show(ui, session));
+            out.extend(solo_bar::of_scene(ui, session));
         });
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
 }

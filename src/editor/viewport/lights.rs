@@ -7,7 +7,8 @@
 //! The middle of a light's lit part is dragged over the surface: the light turns so that the middle
 //! is under the pointer. Beyond the outline the middle goes on behind the object. The end of a
 //! needle is dragged around the object like a bead on a ball; a drag over the rim and back leads to
-//! the other side.
+//! the other side. A needle that ends outside of the picture (`needle`) is drawn up to its edge, as
+//! an arrow.
 
 use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
@@ -15,7 +16,7 @@ use glam::DVec3;
 
 use super::field::direction_at;
 use super::lamps::{self, LampHandle};
-use super::project;
+use super::needle::{self, CutEnd, Needle};
 use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
@@ -29,8 +30,6 @@ use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// Beginning and end of a needle, in radii of the object.
-const NEEDLE: [f64; 2] = [1.06, 1.25];
 /// Distance within which a handle is hit, in points.
 const REACH: f32 = 8.0;
 
@@ -39,9 +38,9 @@ const REACH: f32 = 8.0;
 enum Grip {
     /// The middle of the light's lit part.
     Middle(Parametrization),
-    /// The end of the light's needle: whether it is behind the object, and whether the drag has
-    /// left the ball.
-    Needle { is_behind: bool, is_outside: bool },
+    /// The end of the light's needle: whether it is behind the object, whether the drag has left
+    /// the ball, and where the end was held, if it lies outside of the picture.
+    Needle { is_behind: bool, is_outside: bool, cut: Option<CutEnd> },
     /// A handle of a point or spot light, or of another that has a place.
     Lamp(LampHandle),
 }
@@ -72,6 +71,11 @@ impl HeldLight {
         matches!(self.grip, Grip::Middle(_))
     }
 
+    /// True for a drag by the end of the needle.
+    pub(super) fn is_by_needle(&self) -> bool {
+        matches!(self.grip, Grip::Needle { .. })
+    }
+
     /// Hint on the drag.
     pub(super) fn hint(&self, session: &Session) -> String {
         let name = OwnedLight::lighting(session, &self.light)
@@ -94,8 +98,8 @@ impl HeldLight {
                     );
                 }
                 format!(
-                    "Drag to turn the light {name} around the object; over the rim and back takes \
-                     it to the other side"
+                    "Drag to turn the light {name} around the object; over the rim and back, or a \
+                     double-click, takes it to the other side"
                 )
             }
         }
@@ -115,18 +119,12 @@ pub(super) fn named(session: &Session, rect: Rect) -> Vec<NamedHandle> {
         OwnedLight::lighting(session, id)
             .map_or_else(|| id.to_string(), |owned_light| owned_light.full_name())
     };
-    let (center, radius) = sphere_of_lights(session.open_scene());
     let mut found = Vec::new();
     for (id, light) in session.keys().shining() {
         let name = full_name(id);
-        if light.kind == LightKind::Directional {
-            let toward = resolved(light, session).direction();
-            let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
-            let grip = Grip::Needle { is_behind, is_outside: false };
-            let held = HeldLight { light: id.clone(), grip };
-            if let Some(at) = project(center + toward * NEEDLE[1] * radius, rect, session) {
-                found.push(NamedHandle { name: format!("Needle of {name}"), at, held });
-            }
+        if let Some(needle) = Needle::of(light, rect, session) {
+            let (at, held) = (needle.to, by_needle(id, &needle));
+            found.push(NamedHandle { name: format!("Needle of {name}"), at, held });
         }
         for (handle, at) in lamps::places(session, id, rect) {
             let held = HeldLight { light: id.clone(), grip: Grip::Lamp(handle) };
@@ -158,17 +156,19 @@ pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> 
 
 /// Light whose needle ends under the pointer.
 fn needle_at(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
-    let lights = session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional);
-    let (center, radius) = sphere_of_lights(session.open_scene());
-    let ends = lights.filter_map(|(id, light)| {
-        let toward = resolved(light, session).direction();
-        let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
-        let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
-        Some((distance, is_behind, id))
-    });
-    let (_, is_behind, light) =
-        ends.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(HeldLight { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
+    let lights = session.keys().shining();
+    let needles = lights.filter_map(|(id, light)| Some((id, Needle::of(light, rect, session)?)));
+    let near = needles.map(|(id, needle)| (needle.to.distance(at), id, needle));
+    let (_, id, needle) =
+        near.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(by_needle(id, &needle))
+}
+
+/// Drag of a light by the end of its needle.
+fn by_needle(id: &LightId, needle: &Needle) -> HeldLight {
+    let Needle { is_behind, cut, .. } = *needle;
+    let grip = Grip::Needle { is_behind, is_outside: false, cut };
+    HeldLight { light: id.clone(), grip }
 }
 
 /// Turns the dragged light so that its handle is at a point of the screen.
@@ -184,7 +184,8 @@ pub(super) fn drag(
     let (toward, place) = match &mut held.grip {
         Grip::Lamp(handle) => return lamps::drag(&held.light, *handle, session, rect, at),
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
-        Grip::Needle { is_behind, is_outside } => {
+        Grip::Needle { is_behind, is_outside, cut } => {
+            let at = cut.map_or(at, |cut| cut.end_for(at));
             let (toward, is_on_ball) = on_ball(
                 &session.view.orbit,
                 sphere_of_lights(session.open_scene()),
@@ -200,6 +201,29 @@ pub(super) fn drag(
             (toward, DVec3::ZERO)
         }
     };
+    shone_from(session, &held.light, &values, toward, place)
+}
+
+/// Takes a light whose needle is held to the other side of what it lights, where its needle ends at
+/// the same place of the picture, or near it. `None` for other handles.
+pub(super) fn turned_over(held: &HeldLight, session: &Session) -> Option<Command> {
+    let Grip::Needle { .. } = held.grip else { return None };
+    let values = resolved(session.keys().light(&held.light)?, session);
+    let (toward, backward) = (values.direction(), session.view.orbit.direction());
+    let mirrored = toward - 2.0 * toward.dot(backward) * backward;
+    shone_from(session, &held.light, &values, mirrored, DVec3::ZERO)
+}
+
+/// Command that lets a light shine from a direction, in world space: turns it, or moves a lamp
+/// around `place`, or a light that is aimed at an object around that.
+fn shone_from(
+    session: &Session,
+    id: &LightId,
+    values: &LightValues,
+    toward: DVec3,
+    place: DVec3,
+) -> Option<Command> {
+    let light = session.keys().light(id)?;
     let own = |place: DVec3| values.own_from_world * (place - values.own_origin);
     let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
     let (field, old, new) = match (light.kind, aim_place(light, session)) {
@@ -217,7 +241,7 @@ pub(super) fn drag(
             ("position", light.position, short(own(place + toward * distance)))
         }
     };
-    let set = || set_light_at(session, &held.light, field, Value::Vector(new.to_vec()));
+    let set = || set_light_at(session, id, field, Value::Vector(new.to_vec()));
     (new != old).then(|| set().held(Id::unique("light on the object")))
 }
 
@@ -274,7 +298,7 @@ fn on_ball(
     let origin = (origin - center) / radius;
     let along = -origin.dot(ray);
     let nearest = origin + ray * along;
-    let half = NEEDLE[1] * NEEDLE[1] - nearest.length_squared();
+    let half = needle::FAR * needle::FAR - nearest.length_squared();
     if half <= 0.0 {
         return (nearest.try_normalize().unwrap_or(right), false);
     }
@@ -291,23 +315,14 @@ pub(super) fn paint_needles(
     held: Option<&LightId>,
 ) {
     let painter = ui.painter_at(rect);
-    let (center, radius) = sphere_of_lights(session.open_scene());
-    for (id, light) in
-        session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional)
-    {
-        let toward = resolved(light, session).direction();
-        let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
-        let [Some(from), Some(to)] = ends else { continue };
+    for (id, light) in session.keys().shining() {
+        let Some(needle) = Needle::of(light, rect, session) else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
-        let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         let is_held = held == Some(id);
-        let strength =
-            if is_turning || is_held { 1.0 } else { 0.75 } * if is_behind { 0.5 } else { 1.0 };
+        let strength = if is_turning || is_held { 1.0 } else { 0.75 };
+        let strength = strength * if needle.is_behind { 0.5 } else { 1.0 };
         let color = Color32::from_rgb(color[0], color[1], color[2]).gamma_multiply(strength);
-        painter.line_segment([from, to], Stroke::new(4.0, theme::HALO.gamma_multiply(strength)));
-        painter.circle_filled(to, if is_held { 8.0 } else { 6.0 }, theme::HALO);
-        painter.line_segment([from, to], Stroke::new(2.0, color));
-        painter.circle_filled(to, if is_held { 6.5 } else { 4.5 }, color);
+        needle.paint(&painter, color, strength, is_held);
     }
 }
 

@@ -17,6 +17,7 @@ mod keyboard_handles;
 mod lamps;
 mod lights;
 mod look_through;
+mod needle;
 mod objects;
 pub(crate) mod picture;
 mod place;
@@ -191,7 +192,11 @@ impl Viewport {
             pointer.filter(|_| self.drag.is_none()),
         );
         self.hovered = hovered.as_ref().map(|hovered| hovered.object().clone());
-        if response.clicked() && is_free {
+        if response.double_clicked() && is_free && handles.is_on {
+            let held =
+                response.interact_pointer_pos().and_then(|at| lights::hit(session, rect, at));
+            out.extend(held.and_then(|held| lights::turned_over(&held, session)));
+        } else if response.clicked() && is_free {
             let at = response.interact_pointer_pos().filter(|_| handles.is_on);
             let light = at.and_then(|at| lights::hit(session, rect, at));
             let pick = || objects::pick(session, handles.surface.as_deref(), hovered.as_ref());
@@ -392,6 +397,9 @@ impl Viewport {
         }
         if is_near {
             let is_turning = self.drag == Some(Drag::Lights);
+            if matches!(&self.drag, Some(Drag::Light(held)) if held.is_by_needle()) {
+                needle::paint_rim(&ui.painter_at(rect), rect, session);
+            }
             lights::paint_needles(ui, rect, session, is_turning, light.map(|held| &held.light));
             lamps::paint(ui, rect, session, light.and_then(lights::HeldLight::lamp));
         }

@@ -3,7 +3,8 @@
 use eframe::egui;
 use eframe::egui::{RichText, Ui};
 
-use crate::commands::Command;
+use crate::commands::{Command, SceneCommand};
+use crate::document::{LightSet, SceneEdit};
 use crate::fields::lighting::OwnedLight;
 use crate::ids::{LightId, NodeId};
 use crate::state::session::Session;
@@ -13,30 +14,44 @@ use crate::widgets::theme;
 /// Shows the bar, with a button that leads back; nothing while everything is shown.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
-    let mut command = None;
+    let button = ("Show all", "Ends every solo, and lets muted lights shine");
+    bar(ui, &text, OF_THE_WINDOW, button).then(|| Command::Solo(Solo::default()))
+}
+
+/// Shows a bar of the solo that the scene itself has, with a button that ends it; nothing without
+/// one.
+pub(super) fn of_scene(ui: &mut Ui, session: &Session) -> Option<Command> {
+    let soloed = &session.open_scene()?.scene().soloed;
+    if soloed.is_none() {
+        return None;
+    }
+    let text = format!("Solo: {} · in the scene, saved with it", soloed.text());
+    let help = "Rendering warns of it, and with --strict refuses. The light table and the mixer \
+                set it; S in Lights is of this window only";
+    let button = ("End it", "Lets all lights shine again that are not muted");
+    let edit = SceneEdit::SetSoloedLights { soloed: LightSet::none() };
+    bar(ui, &text, help, button).then(|| Command::Scene(SceneCommand::Edit(edit)))
+}
+
+/// Shows a bar with a text, and with a button at its end. Returns true if that was clicked.
+fn bar(ui: &mut Ui, text: &str, help: &str, (label, button_help): (&str, &str)) -> bool {
     let frame = egui::Frame::new()
         .fill(theme::of(ui).accent_dim)
         .corner_radius(4.0)
         .inner_margin(egui::Margin::symmetric(8, 3));
+    let mut is_clicked = false;
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui
-                    .button("Show all")
-                    .on_hover_text("Ends every solo, and lets muted lights shine")
-                    .clicked()
-                {
-                    command = Some(Command::Solo(Solo::default()));
-                }
+                is_clicked = ui.button(label).on_hover_text(button_help).clicked();
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let label =
-                        egui::Label::new(RichText::new(text).color(theme::of(ui).text)).truncate();
-                    ui.add(label).on_hover_text(OF_THE_WINDOW);
+                    let text = RichText::new(text).color(theme::of(ui).text);
+                    ui.add(egui::Label::new(text).truncate()).on_hover_text(help);
                 });
             });
         });
     });
-    command
+    is_clicked
 }
 
 /// Sentence on the soloed and the muted layers and lights.

@@ -17,7 +17,9 @@ impl PlacingTool {
     /// Shows the light and the marks.
     pub(super) fn bar(&mut self, ui: &mut Ui, rect: Rect, session: &Session) {
         let id = ui.scope_id().with("placing bar");
-        let has_notice = session.view.wire.is_some() || !session.view.solo.is_empty();
+        let scene = session.open_scene().map(|open_scene| open_scene.scene());
+        let is_soloed = scene.is_some_and(|scene| !scene.soloed.is_none());
+        let has_notice = is_soloed || session.view.wire.is_some() || !session.view.solo.is_empty();
         let top = rect.top() + 8.0 + if has_notice { NOTICE } else { 0.0 };
         let room = Rect::from_min_max(pos2(rect.left() + 8.0, top), rect.max - vec2(8.0, 8.0));
         // The size is that of the frame before. Presses beside the widgets must not reach the

@@ -256,7 +256,8 @@ impl FilterForm {
             let drag = GripDrag::Angle { center: lamp.place, axis: z, side, most: MOST_FLAP };
             self.grip((name, port, "drag to open or close it"), at, angle(port), drag);
         }
-        self.spin(middle, axes(toward, 0.0), spin, 1.3 * left.max(0.2 * away));
+        // Well beside the left flap, which has a handle on the same line.
+        self.spin(middle, axes(toward, 0.0), spin, left + 0.25 * away);
     }
 
     fn picture(&mut self, filter: &SelectedFilter<'_>, lamp: &LampPlace, toward: DVec3, away: f64) {
