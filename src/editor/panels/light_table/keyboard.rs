@@ -97,15 +97,18 @@ impl CellGrid {
         }
     }
 
-    /// Begins an edit with the first letter that is typed; K keys the cells.
+    /// Begins an edit with what is typed, of a quick hand several letters; K keys the cells.
     fn typing(&mut self, ui: &Ui, sheet: Sheet<'_>, place: &Place, out: &mut Vec<Command>) {
-        let typed = ui.input(|input| {
-            input.events.iter().find_map(|event| match event {
-                Event::Text(text) => Some(text.clone()),
+        let typed: String = ui.input(|input| {
+            let texts = input.events.iter().filter_map(|event| match event {
+                Event::Text(text) => Some(text.as_str()),
                 _ => None,
-            })
+            });
+            texts.collect()
         });
-        let Some(typed) = typed.filter(|typed| !typed.trim().is_empty()) else { return };
+        if typed.trim().is_empty() {
+            return;
+        }
         let keys_value = place.1.field().is_some() && typed.eq_ignore_ascii_case("k");
         ui.input_mut(|input| input.events.retain(|event| !matches!(event, Event::Text(_))));
         if keys_value {

@@ -21,7 +21,7 @@ mod typed;
 use std::collections::BTreeMap;
 
 use eframe::egui;
-use eframe::egui::{Id, RichText, Role, TextEdit, Ui, WidgetInfo};
+use eframe::egui::{Align, Id, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use super::lights::add;
 use crate::commands::{Command, PanelId};
@@ -72,14 +72,30 @@ impl LightTable {
         let mut out = Vec::new();
         let filter = (!self.filter.trim().is_empty()).then(|| LightSet::parse(self.filter.trim()));
         self.bar(ui, session, filter.as_ref().and_then(|read| read.as_ref().err()), &mut out);
+        // Notes stand below: what is clicked must not move when one comes or goes.
+        ui.with_layout(Layout::bottom_up(Align::LEFT), |ui| {
+            if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
+                out.extend(solo_bar::show(ui, session));
+            }
+            if let Some(mix) = (Sheet { session, lights: &self.lights }).mix() {
+                mix.solo_note(ui, &mut out);
+            }
+            let filter = filter.and_then(Result::ok);
+            let layout = Layout::top_down(Align::LEFT);
+            ui.with_layout(layout, |ui| self.table(ui, session, filter, &mut out));
+        });
+        out
+    }
+
+    /// Shows the rows of a set, or all.
+    fn table(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        filter: Option<LightSet>,
+        out: &mut Vec<Command>,
+    ) {
         let sheet = Sheet { session, lights: &self.lights };
-        if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
-            out.extend(solo_bar::show(ui, session));
-        }
-        if let Some(mix) = sheet.mix() {
-            mix.solo_note(ui, &mut out);
-        }
-        let filter = filter.and_then(Result::ok);
         let rows = sheet.rows(filter.as_ref(), self.grid.sort);
         if !rows.iter().any(|row| matches!(row, Row::Light(_))) {
             hint(
@@ -92,12 +108,12 @@ impl LightTable {
                     None => "There are no lights yet.",
                 },
             );
-            return out;
+            return;
         }
         let columns: Vec<Column> = Column::all().filter(|column| self.is_shown(*column)).collect();
         let shown = ShownCells { rows: &rows, columns: &columns };
         let before = self.grid.selection.cursor().map(|(row, _)| row.clone());
-        self.grid.show(ui, sheet, shown, &mut out);
+        self.grid.show(ui, sheet, shown, out);
         let now = self.grid.selection.cursor().map(|(row, _)| row.clone());
         if let Some(Row::Light(id)) = now.filter(|now| Some(now) != before.as_ref()) {
             out.push(Command::ChooseLight(id));
@@ -105,7 +121,6 @@ impl LightTable {
         if let Some(column) = self.grid.hidden.take() {
             out.push(self.keeping(column, false));
         }
-        out
     }
 
     /// Command that remembers whether a column is shown.

@@ -65,12 +65,22 @@ impl Lights {
         let mut out = Vec::new();
         add::bar(ui, session, self.mixed.shared(), &mut out);
         add::panels(ui, &mut out);
-        if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
-            out.extend(solo_bar::show(ui, session));
-        }
-        if let Some(mix) = self.mix(session) {
-            mix.solo_note(ui, &mut out);
-        }
+        // Notes stand below: what is clicked must not move when one comes or goes.
+        ui.with_layout(Layout::bottom_up(Align::LEFT), |ui| {
+            if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
+                out.extend(solo_bar::show(ui, session));
+            }
+            if let Some(mix) = self.mix(session) {
+                mix.solo_note(ui, &mut out);
+            }
+            let layout = Layout::top_down(Align::LEFT);
+            ui.with_layout(layout, |ui| self.all(ui, session, &mut out));
+        });
+        out
+    }
+
+    /// Lists the lights of the scene and of the look, and the groups.
+    fn all(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let of_scene = Owner::Scene.lights(session).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             // The margin is room for the scroll bar.
@@ -78,19 +88,18 @@ impl Lights {
             if of_scene.is_some() {
                 let help = "Each stands in place of the light of its id in every look of the scene";
                 section(ui, "Of the scene", help);
-                self.list(ui, session, Owner::Scene, &mut out);
+                self.list(ui, session, Owner::Scene, out);
                 ui.add_space(6.0);
                 section(ui, "Of the look", "What it has for itself, wherever it is worn");
             }
             if session.look().lights.is_empty() {
                 hint(ui, "The look has no lights. Layers need one each.");
             }
-            self.list(ui, session, Owner::Look, &mut out);
+            self.list(ui, session, Owner::Look, out);
             if let Some(mix) = self.mix(session) {
-                mixer::show(ui, mix, session.look().color_space, &mut out);
+                mixer::show(ui, mix, session.look().color_space, out);
             }
         });
-        out
     }
 
     /// The mix of the open scene.

@@ -3,11 +3,12 @@
 
 mod channel;
 
-use eframe::egui::{ScrollArea, Ui};
+use eframe::egui::{Align, Layout, ScrollArea, Ui};
 
 use super::lights::add;
 use crate::commands::{Command, PanelId};
 use crate::fields::mix::{MixedLights, SceneMix};
+use crate::ids::LightGroup;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
 use crate::widgets::text::hint;
@@ -36,9 +37,9 @@ impl Mixer {
             add::panels(ui, &mut out);
             return out;
         };
-        mix.solo_note(ui, &mut out);
         let groups = self.lights.groups(Some(mix.scene));
         if groups.is_empty() {
+            mix.solo_note(ui, &mut out);
             hint(
                 ui,
                 "No light is of a group yet. Give lights groups in the light table, and each \
@@ -47,16 +48,32 @@ impl Mixer {
             add::panels(ui, &mut out);
             return out;
         }
-        let fader = channel::fader_height(ui.available_height());
-        ScrollArea::both().auto_shrink([false, false]).id_salt("mixer").show(ui, |ui| {
-            ui.horizontal_top(|ui| {
-                ui.spacing_mut().item_spacing.x = 6.0;
-                for group in &groups {
-                    let form = (session.look().color_space, fader);
-                    ui.push_id(group, |ui| channel::show(ui, mix, group, form, &mut out));
-                }
-            });
+        // The note stands below: what is clicked must not move when it comes or goes.
+        ui.with_layout(Layout::bottom_up(Align::LEFT), |ui| {
+            mix.solo_note(ui, &mut out);
+            let layout = Layout::top_down(Align::LEFT);
+            ui.with_layout(layout, |ui| channels(ui, session, mix, &groups, &mut out));
         });
         out
     }
+}
+
+/// Shows the channels of groups, beside each other.
+fn channels(
+    ui: &mut Ui,
+    session: &Session,
+    mix: SceneMix<'_>,
+    groups: &[LightGroup],
+    out: &mut Vec<Command>,
+) {
+    let fader = channel::fader_height(ui.available_height());
+    ScrollArea::both().auto_shrink([false, false]).id_salt("mixer").show(ui, |ui| {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            for group in groups {
+                let form = (session.look().color_space, fader);
+                ui.push_id(group, |ui| channel::show(ui, mix, group, form, out));
+            }
+        });
+    });
 }

@@ -111,7 +111,13 @@ fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: 
         let value_width = 62.0;
         let font = egui::TextStyle::Body.resolve(ui.style());
         let left = Rect::from_min_max(rect.min, pos2(rect.right() - value_width, rect.bottom()));
-        cell(ui, left, &format!("{owner}: {what}"), font.clone(), colors.text);
+        // Two lines: tracks of one light differ only in what comes last.
+        let middle = left.top() + 0.46 * left.height();
+        let small = egui::FontId::proportional(theme::SMALL_TEXT);
+        let above = Rect::from_x_y_ranges(left.x_range(), left.top()..=middle);
+        let below = Rect::from_x_y_ranges(left.x_range(), middle..=left.bottom());
+        cell(ui, above, &owner, small, colors.dim);
+        cell(ui, below, &what, font.clone(), colors.text);
         let right =
             Rect::from_min_max(pos2(rect.right() - value_width + 4.0, rect.top()), rect.max);
         cell(ui, right, &shown, font, colors.dim);
