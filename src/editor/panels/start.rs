@@ -1,23 +1,27 @@
 //! Start page, for newcomers and for everyone who opens the window without a file: a new look, the
-//! tour, recent files, and all examples as pictures. The page takes the place of the panels, and
-//! leaves as soon as a document is opened or made.
+//! tour, recent files, and all examples as pictures, in the sections of the gallery, to be searched.
+//! The page takes the place of the panels, and leaves as soon as a document is opened or made.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 use eframe::egui;
 use eframe::egui::{
-    Button, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
-    StrokeKind, TextureHandle, Ui, WidgetInfo, pos2, vec2,
+    Button, EventFilter, FontId, Key, Label, Modifiers, Rect, Response, RichText, Role, ScrollArea,
+    Sense, Stroke, StrokeKind, TextEdit, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
+use serde_json::Value as Json;
 
 use super::library::cards::{self, Card};
 use super::thumbs::Thumbs;
 use crate::commands::table::{self, CommandRow};
 use crate::commands::{Command, PanelId, TourTopic};
+use crate::examples::GALLERY;
 use crate::panels::{PanelContext, Workbench};
 use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
 use crate::widgets::rows::whole;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 
 /// Margin around the page, in points; less in a narrow window.
@@ -42,13 +46,62 @@ const MOST_RECENT: usize = 12;
 /// The page, and its cards.
 #[derive(Default)]
 pub(crate) struct Start {
-    examples: Vec<Card>,
+    examples: Vec<ExampleSection>,
+    /// Text that the shown examples have in their names or sections; empty for all.
+    query: String,
     recent: Vec<RecentFile>,
     /// Revision of the suspects when the recent files were read.
     suspects: SuspectsRevision,
     logo: Option<TextureHandle>,
     /// True if the page was shown in the last frame; each time it appears it begins at its top.
     is_seen: bool,
+}
+
+/// Section of the gallery, with its examples.
+struct ExampleSection {
+    title: String,
+    about: String,
+    cards: Vec<Card>,
+}
+
+impl ExampleSection {
+    /// All examples, those that no section of the gallery lists last.
+    fn all(session: &Session) -> Vec<Self> {
+        let gallery: Json = serde_json::from_str(GALLERY).unwrap_or_default();
+        let text = |value: &Json| value.as_str().unwrap_or_default().to_owned();
+        let listed: Vec<&Json> = gallery["sections"].as_array().into_iter().flatten().collect();
+        let mut sections: Vec<Self> = listed
+            .iter()
+            .map(|section| Self {
+                title: text(&section["title"]),
+                about: text(&section["about"]),
+                cards: Vec::new(),
+            })
+            .collect();
+        sections.push(Self { title: "More".to_owned(), about: String::new(), cards: Vec::new() });
+        let mut places = HashMap::new();
+        for (index, section) in listed.iter().enumerate() {
+            for entry in section["entries"].as_array().into_iter().flatten() {
+                let file = entry.as_str().or_else(|| entry["file"].as_str()).unwrap_or_default();
+                places.entry(file).or_insert(index);
+            }
+        }
+        for card in Card::examples(SIDE, session) {
+            let place = card.example_name().and_then(|name| places.get(name)).copied();
+            sections[place.unwrap_or(listed.len())].cards.push(card);
+        }
+        sections.retain(|section| !section.cards.is_empty());
+        sections
+    }
+
+    /// Cards that have all words of a query in their name or their section.
+    fn found(&self, query: &str) -> Vec<&Card> {
+        let has_all = |card: &&Card| {
+            let text = format!("{} {}", card.name, self.title).to_lowercase();
+            query.to_lowercase().split_whitespace().all(|word| text.contains(word))
+        };
+        self.cards.iter().filter(has_all).collect()
+    }
 }
 
 /// File that was opened before.
@@ -145,7 +198,7 @@ impl Start {
     /// Shows the page.
     fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.examples.is_empty() {
-            self.examples = Card::examples(SIDE, session);
+            self.examples = ExampleSection::all(session);
         }
         let mut out = Vec::new();
         ui.painter().rect_filled(ui.max_rect(), 0.0, theme::of(ui).panel);
@@ -219,7 +272,7 @@ impl Start {
     }
 
     fn looks(
-        &self,
+        &mut self,
         ui: &mut Ui,
         width: f32,
         session: &Session,
@@ -248,14 +301,47 @@ impl Start {
             }
         }
         heading(ui, "Examples", "Each opens as a new one of your own: change whatever you like");
-        for row in self.examples.chunks(columns) {
-            in_row(ui, row, |ui, card| drop(card.show(ui, side, session, thumbs, out)));
+        self.search(ui);
+        let mut is_empty = true;
+        for section in &self.examples {
+            let found = section.found(&self.query);
+            if found.is_empty() {
+                continue;
+            }
+            is_empty = false;
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 10.0;
+                ui.label(RichText::new(&section.title).strong());
+                let about = RichText::new(&section.about).small().color(theme::of(ui).dim);
+                ui.add(Label::new(about).truncate());
+            });
+            ui.add_space(4.0);
+            for row in found.chunks(columns) {
+                in_row(ui, row, |ui, card| drop(card.show(ui, side, session, thumbs, out)));
+            }
+        }
+        if is_empty {
+            hint(ui, "No example has these words in its name or its section.");
         }
         ui.add_space(GAP);
         let text =
             "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(MARGIN);
+    }
+
+    /// Shows the field that searches the examples.
+    fn search(&mut self, ui: &mut Ui) {
+        let edit = TextEdit::singleline(&mut self.query)
+            .hint_text("Find an example: light, shadow, ink, hatching")
+            .desired_width(320.0)
+            .char_limit(100);
+        let response = ui.add(edit);
+        // Up and down lead on to the cards, as from everything else on the page.
+        let filter = EventFilter { horizontal_arrows: true, ..EventFilter::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Find an example"));
+        ui.add_space(GAP);
     }
 }
 

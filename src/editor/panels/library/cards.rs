@@ -14,6 +14,7 @@ use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
 use super::examples::{self, Example, count, example};
 use crate::commands::{Command, PAINTING};
 use crate::document::{Document, LoadedDocument, Look};
+use crate::examples::PREFIX;
 use crate::hcbtf::{BytePicture, Cover, cover};
 use crate::state::crashes::{CrashLog, CrashStep, DocumentOrigin, Suspect};
 use crate::state::session::Session;
@@ -151,6 +152,14 @@ impl Card {
             _ => (CardContent::Unreadable, 0),
         };
         Self { origin, name: name_of(path), content, key, side }
+    }
+
+    /// Name of the card's example, as the gallery lists it; `None` for a file.
+    pub(crate) fn example_name(&self) -> Option<&str> {
+        match &self.origin {
+            CardOrigin::Example(_, path) => path.to_str()?.strip_prefix(PREFIX),
+            CardOrigin::File(_) => None,
+        }
     }
 
     /// Path of the card's file; `None` for an example.
