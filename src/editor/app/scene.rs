@@ -10,7 +10,7 @@ use crate::commands::{FilePurpose, PanelId, SceneCommand};
 use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
-use crate::ids::ObjectId;
+use crate::ids::{ObjectId, make_slug};
 use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::widgets::spots::{self, Spot};
 
@@ -61,6 +61,7 @@ impl App {
         let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
             .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
+            .or_else(|| Some(PathBuf::from("scene.json")))
     }
 
     fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
@@ -215,10 +216,35 @@ impl App {
         }
     }
 
-    /// Saves the scene to a file, and reports a failure. Returns true if the file is written.
+    /// Saves the scene to a file, and reports a failure. A look that objects wear and that has no
+    /// file yet is saved beside the scene, which names it. Returns true if the files are written.
     pub fn save_scene_as(&mut self, path: &Path) -> bool {
+        let look = self.look_beside(path);
+        if look.as_ref().is_some_and(|look| !self.save_as(look)) {
+            return false;
+        }
         let saved = self.session.save_scene_as(path);
-        self.tell_saved(path, saved)
+        let is_saved = self.tell_saved(path, saved);
+        if let Some(look) = look.as_deref().and_then(Path::file_name).filter(|_| is_saved) {
+            let look = look.to_string_lossy();
+            self.message = Some(format!("Saved {}, and its look {look} beside it", path.display()));
+        }
+        is_saved
+    }
+
+    /// File beside a scene's for the open look, where objects wear it and it has none yet.
+    fn look_beside(&self, scene: &Path) -> Option<PathBuf> {
+        let is_worn = self.session.open_scene().is_some_and(OpenScene::wears_unsaved);
+        if !is_worn || self.session.path().is_some() {
+            return None;
+        }
+        let file = |slug: &str| scene.with_file_name(format!("{slug}.json"));
+        let is_taken = |slug: &str| file(slug) == scene || file(slug).exists();
+        let name = match self.session.look().name.as_str() {
+            "" => "look",
+            name => name,
+        };
+        Some(file(&make_slug(name, is_taken)))
     }
 
     /// Adds an object on a mesh (a path, or `shape:` and the name of a built-in shape), like a mesh

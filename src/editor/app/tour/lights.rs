@@ -78,10 +78,11 @@ static STEPS: [Step; 8] = [
     },
     Step {
         title: "A rim from behind",
-        task: "Press Add scene light and choose Directional. Then drag the end of its needle out \
-               past the figure and back: it is behind then.",
-        reason: "Every directional light has a needle around what is lit; point and spot lights \
-                 stand in the picture themselves, with handles for cones and distances.",
+        task: "Press Add scene light and choose Directional. Then double-click the end of its \
+               needle in the picture: the light goes behind the figure.",
+        reason: "Every directional light has a needle around what is lit, to be dragged; past the \
+                 rim and back it goes behind, too. Point and spot lights stand in the picture \
+                 themselves, with handles for cones and distances.",
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |session| match scene(session).is_some_and(|scene| scene.lights.len() > 1) {
             true => vec![Spot::Picture],
@@ -95,7 +96,7 @@ static STEPS: [Step; 8] = [
                     && glam::DVec3::from(light.direction).dot(eye) < 0.0
             })
         },
-        show: |_| {
+        show: |session| {
             let rim = Light {
                 name: "Rim".to_owned(),
                 direction: [0.9, 0.45, -0.7],
@@ -103,7 +104,14 @@ static STEPS: [Step; 8] = [
                 color: [0.55, 0.7, 1.0],
                 ..Light::default()
             };
-            vec![add("light", rim)]
+            let placed = |light: &mut Light| {
+                (light.direction, light.space) = (rim.direction, rim.space);
+            };
+            // A light that the artist added is the one that goes behind.
+            match added(session, |light| light.kind == LightKind::Directional) {
+                Some(id) => change(session, id.as_str(), placed),
+                None => vec![add("light", rim)],
+            }
         },
     },
     Step {
@@ -131,7 +139,7 @@ static STEPS: [Step; 8] = [
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
         is_done: |session, _| own_light(session).is_some(),
-        show: |_| {
+        show: |session| {
             let eye = Light {
                 name: "Eye".to_owned(),
                 kind: LightKind::Point,
@@ -142,7 +150,14 @@ static STEPS: [Step; 8] = [
                 color: [1.0, 0.85, 0.6],
                 ..Light::default()
             };
-            vec![add("eye", eye)]
+            let placed = |light: &mut Light| {
+                (light.position, light.space) = (eye.position, eye.space);
+                (light.half_distance, light.range) = (eye.half_distance, eye.range);
+            };
+            match added(session, |light| light.kind == LightKind::Point) {
+                Some(id) => change(session, id.as_str(), placed),
+                None => vec![add("eye", eye)],
+            }
         },
     },
     Step {
@@ -196,9 +211,12 @@ static STEPS: [Step; 8] = [
             let mix = |scene: &Scene| (scene.light_groups.clone(), scene.soloed.clone());
             scene(session).zip(before.scene.as_ref()).is_some_and(|(a, b)| mix(a) != mix(b))
         },
-        show: |_| {
+        show: |session| {
             let master = GroupMaster { intensity: 0.5, ..GroupMaster::default() };
-            vec![edited(SceneMix::mastering(&LightGroup::new("rim"), master))]
+            let mut lights = scene(session).into_iter().flat_map(|scene| scene.lights.values());
+            let group = lights.find_map(|light| light.groups.first().cloned());
+            let group = group.unwrap_or_else(|| LightGroup::new("rim"));
+            vec![edited(SceneMix::mastering(&group, master))]
         },
     },
 ];
@@ -214,6 +232,13 @@ fn light<'s>(session: &'s Session, id: &str) -> Option<&'s Light> {
 /// The light that was added last.
 fn last_light(session: &Session) -> Option<LightId> {
     scene(session)?.lights.keys().last().cloned()
+}
+
+/// The light of a sort that was added last, besides the key.
+fn added(session: &Session, is_it: impl Fn(&Light) -> bool) -> Option<LightId> {
+    let lights = &scene(session)?.lights;
+    let mut found = lights.iter().rev().filter(|(id, light)| id.as_str() != "key" && is_it(light));
+    found.next().map(|(id, _)| id.clone())
 }
 
 /// The first light in the frame of the objects.

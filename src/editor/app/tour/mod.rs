@@ -11,7 +11,7 @@ mod look;
 use eframe::egui::Ui;
 use glam::DQuat;
 
-use crate::commands::{Command, PanelId, TourTopic};
+use crate::commands::{Command, PanelId, PlacingCommand, Switch, TourTopic};
 use crate::document::{Look, Scene};
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
@@ -113,6 +113,8 @@ impl Tour {
         }
         if std::mem::take(&mut self.is_new) {
             out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
+            // A tool of the step before would take the pointer from what this one is about.
+            out.push(Command::Placing(PlacingCommand::Turn(Switch::Off)));
         }
         let is_done = (step.is_done)(session, &self.seen[self.step]);
         let progress = TourProgress { index: self.step, count: steps.len(), is_done };
