@@ -339,6 +339,22 @@ fn a_fader_of_the_mixer_is_one_step() {
     assert!(hand.says("shine alone in the scene"), "a solo that is left on is told");
 }
 
+/// A note of a solo comes below: a second click meets what the first one met.
+#[test]
+fn a_second_click_ends_the_solo_of_the_first() {
+    let home = Home::new();
+    let mut hand = lit_window(&home, "Light table");
+    let solo = at(&hand, "Solo of edge");
+    hand.click(solo);
+    hand.settle();
+    assert_eq!(scene(&hand).soloed.text(), "edge");
+    assert!(hand.says("shines alone in the scene"));
+    assert_eq!(at(&hand, "Solo of edge"), solo, "nothing moved");
+    hand.click(solo);
+    hand.settle();
+    assert!(scene(&hand).soloed.is_none() && scene(&hand).muted.is_none());
+}
+
 /// True if a row's mark says that it is linked to what is selected at the other side.
 fn is_linked(hand: &User, row: &str) -> bool {
     let label = format!("{row} is linked");

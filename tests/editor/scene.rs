@@ -327,19 +327,22 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     let mut hand = home.window(None);
     tab(&mut hand, "Objects");
     choose(&mut hand, "Add an object", "Knot");
-    // The look has no file yet, and a scene names looks by their files.
+    // The look has no file yet, and a scene names looks by their files: it gets one beside the
+    // scene's, under a name that is free.
     let path = home.file("scenes");
     fs::create_dir(&path).unwrap();
+    fs::write(path.join("new_look.json"), "another").unwrap();
     let path = path.join("mine.json");
-    assert!(!hand.app_mut().save_scene_as(&path));
-    assert!(
-        hand.app().message().unwrap().contains("save the look first"),
-        "{:?}",
-        hand.app().message()
-    );
+    assert!(hand.app_mut().save_scene_as(&path));
+    let told = hand.app().message().unwrap().to_owned();
+    assert!(told.ends_with("and its look new_look_2.json beside it"), "{told}");
+    assert!(!hand.app().session().is_dirty());
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains("\"looks\": \"new_look_2.json\""), "{text}");
+    assert_eq!(fs::read_to_string(path.with_file_name("new_look.json")).unwrap(), "another");
+    // With a file of its own the look stays there.
     assert!(hand.app_mut().save_as(&home.look("mine.json")));
     assert!(hand.app_mut().save_scene_as(&path));
-    assert!(!hand.app().session().is_dirty());
     let text = fs::read_to_string(&path).unwrap();
     assert!(text.contains("\"looks\": \"../looks/mine.json\""), "{text}");
     let (setup, problems) = open(&path, None, &mut Assets::default()).unwrap().into_parts();

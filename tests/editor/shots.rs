@@ -13,7 +13,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
-fn window() -> User {
+pub(crate) fn window() -> User {
     window_of(|app| app)
 }
 
@@ -30,7 +30,7 @@ fn window_of(make: impl Fn(App) -> App + 'static) -> User {
     User::with_builder(builder, move |ctx| make(App::new(ctx, Some(state.clone()))))
 }
 
-fn save(hand: &mut User, name: &str) {
+pub(crate) fn save(hand: &mut User, name: &str) {
     let folder = std::env::var_os("CHIARO_SHOTS")
         .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();

@@ -603,7 +603,12 @@ fn the_tour_of_lights_shows_every_step_and_ends_in_a_lit_scene() {
         assert!(has(&hand, "Skip"), "step {step} is not done yet");
         press(&mut hand, "Show me");
         assert!(!has(&hand, "Skip"), "step {step} is done");
+        if step == 2 {
+            press(&mut hand, "Place light");
+            assert!(hand.app().placing().is_on());
+        }
         press(&mut hand, "Next");
+        assert!(!hand.app().placing().is_on(), "the pointer is free for step {}", step + 1);
     }
     assert!(hand.says("3 lights of the scene"));
     let lit = scene(&hand);

@@ -253,6 +253,42 @@ fn a_needle_is_dragged_over_the_rim_to_the_other_side() {
     );
 }
 
+/// A camera that stands near has the needle's end outside of the picture.
+#[test]
+fn a_needle_that_leaves_the_picture_is_dragged_by_its_arrow() {
+    let mut hand = on_ball();
+    for _ in 0..4 {
+        hand.wheel(rect(&hand).center(), 120.0);
+    }
+    hand.settle();
+    let end = screen_at(&hand, light(&hand) * 1.25);
+    assert!(!rect(&hand).contains(end), "the end is outside: {end}");
+    hand.hover(rect(&hand).center());
+    hand.settle();
+    let arrow = hand.place("Needle of key").center();
+    let room = rect(&hand);
+    assert!(room.shrink(5.0).contains(arrow), "{arrow} in {room}");
+    let (old, steps) = (light(&hand), hand.steps());
+    // A small drag moves the light a little, a long one takes its end to the pointer.
+    hand.hold(arrow);
+    let way = (room.center() - arrow).normalized();
+    hand.move_to(arrow + way * 4.0);
+    hand.move_to(arrow + way * 8.0);
+    hand.harness.run_steps(2);
+    let near = light(&hand).angle_between(old);
+    assert!(near > 1e-4 && near < 0.06, "{near}");
+    let to = room.center() + (arrow - room.center()) * 0.5;
+    hand.move_to(to);
+    hand.harness.run_steps(2);
+    hand.release(to);
+    hand.settle();
+    let end = screen_at(&hand, light(&hand) * 1.25);
+    assert!(end.distance(to) < 2.0, "{end} for {to}");
+    assert_eq!(hand.steps(), steps + 1);
+    hand.undo();
+    assert!(light(&hand).angle_between(old) < 1e-9);
+}
+
 #[test]
 fn without_a_layer_all_lights_turn() {
     let mut hand = on_ball();
