@@ -128,7 +128,7 @@ fn an_export_refuses_looks_that_send_rays() {
     let cheaper = ["balanced"; 3];
     for (problem, tier) in problems.iter().zip(cheaper) {
         let hint = problem.hints.first().map(String::as_str).unwrap_or_default();
-        assert!(hint.contains(&format!("--tier {tier}")), "{problem:?}");
+        assert!(hint.contains(&format!("its {tier} tier")), "{problem:?}");
     }
     assert!(export(0.0).is_ok(), "what is not seen sends none");
 }
