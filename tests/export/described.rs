@@ -133,7 +133,7 @@ fn the_sides_to_draw_are_described() {
     }
 }
 
-/// Where the exact tier of a node is not carried, the nearest one that is takes its place, and that
+/// The nearest tier that an export carries takes the place of one that it does not carry, and that
 /// is told by the node's name.
 #[test]
 fn tiers_that_no_export_carries_are_replaced_aloud() {

@@ -115,8 +115,8 @@ fn compilers_of_hlsl_know_right_from_wrong() {
              return ret; }}\n\
              static const Pair PAIR = {pair};\n\
              float4 vs_main(float3 at : LOC0) : SV_Position {{ return float4(at, 1.0); }}\n\
-             float4 fs_main() : SV_Target0 {{\n    float2 sums[2] = {{ (float2)0, (float2)0 }};\n    \
-             {body}\n}}\n"
+             float4 fs_main() : SV_Target0 {{\n    \
+             float2 sums[2] = {{ (float2)0, (float2)0 }};\n    {body}\n}}\n"
         )
     };
     let list = "{(1.0 + 0.5), float2(2.0, 3.0)}";

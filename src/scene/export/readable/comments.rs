@@ -163,8 +163,8 @@ fn blend(a: f32) -> f32 {
                 comment: Vec::new(),
                 head: lines("float blend(float a)\n{"),
                 body: lines(
-                    "    float dx_1 = a;\n    if ((dx_1 > 1.0)) {\n        return dx_1;\n    }\n    \
-                     return 0.0;",
+                    "    float dx_1 = a;\n    if ((dx_1 > 1.0)) {\n        return dx_1;\n    \
+                     }\n    return 0.0;",
                 ),
                 ir: Some((&ir, "blend")),
             }),

@@ -8,8 +8,8 @@
 //!
 //! - [`pieces`] splits the text into functions and what stands between them, and finds the function
 //!   of naga's IR that each one is.
-//! - [`inline`] puts values without a name where they are read: a place of a uniform anywhere, other
-//!   values where nothing is written in between.
+//! - [`inline`] puts values without a name where they are read: a place of a uniform anywhere,
+//!   other values where nothing is written in between.
 //! - [`names`] gives the values of each function the names that they have in WGSL.
 //! - [`comments`] puts the comments of the WGSL back: before functions, structs, their members and
 //!   constants by name, and before statements by the value that they declare.
@@ -34,7 +34,7 @@ pub(super) use word::words;
 
 use crate::wgsl::ValidModule;
 
-/// What a language's text says that the words alone do not.
+/// Traits of a language's text that its words alone do not tell.
 pub(super) struct Dialect<'a> {
     /// Names in the text of variables that hold uniforms: reading one twice gives the same value.
     pub(super) uniforms: &'a BTreeSet<String>,
