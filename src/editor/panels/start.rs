@@ -1,6 +1,7 @@
 //! Start page, for newcomers and for everyone who opens the window without a file: a new look, the
-//! tour, recent files, and all examples as pictures, in the sections of the gallery, to be searched.
-//! The page takes the place of the panels, and leaves as soon as a document is opened or made.
+//! tours, recent files, and all examples as pictures, in the sections of the gallery and with a
+//! search. The page takes the place of the panels, and leaves as soon as a document is opened or
+//! made.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
