@@ -534,7 +534,7 @@ Outline drawn_outline(LineWidths line_widths, vec4 of_edges, float reach) {
     kind = ((covers.x == line) ? 1.0 : kind);
     vec4 near = mix(vec4(0.0), nearness, greaterThan(widths, vec4(0.0)));
     float nearest = max(max(near.x, near.y), max(near.z, near.w));
-    return Outline(line, ((line > 0.001) ? kind : 0.0), (reach - nearest));
+    return Outline(line, ((line > 0.0009765625) ? kind : 0.0), (reach - nearest));
 }
 
 /// Outline

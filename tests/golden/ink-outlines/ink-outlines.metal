@@ -692,7 +692,7 @@ Outline drawn_outline(
     kind = (covers.x == line) ? 1.0 : kind;
     metal::float4 near = metal::select(metal::float4(0.0), nearness, widths > metal::float4(0.0));
     float nearest = metal::max(metal::max(near.x, near.y), metal::max(near.z, near.w));
-    return Outline {line, (line > 0.001) ? kind : 0.0, reach - nearest};
+    return Outline {line, (line > 0.0009765625) ? kind : 0.0, reach - nearest};
 }
 
 /// Outline

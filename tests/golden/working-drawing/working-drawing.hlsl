@@ -530,7 +530,7 @@ Outline drawn_outline(LineWidths line_widths, float4 of_edges, float reach)
     kind = ((covers.x == line_) ? 1.0 : kind);
     float4 near = ((widths > (0.0).xxxx) ? nearness : (0.0).xxxx);
     float nearest = max(max(near.x, near.y), near.z);
-    const Outline outline = ConstructOutline(line_, ((line_ > 0.001) ? kind : 0.0), (reach - nearest));
+    const Outline outline = ConstructOutline(line_, ((line_ > 0.0009765625) ? kind : 0.0), (reach - nearest));
     return outline;
 }
 

@@ -399,7 +399,7 @@ fn drawn_outline(line_widths: LineWidths, of_edges: vec4f, reach: f32) -> Outlin
     kind = select(kind, 1.0, covers.x == line);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));
     let nearest = max(max(near.x, near.y), near.z);
-    return Outline(line, select(0.0, kind, line > 1e-3), reach - nearest);
+    return Outline(line, select(0.0, kind, line > 0.0009765625), reach - nearest);
 }
 
 /// Separate vector
