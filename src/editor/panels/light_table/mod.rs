@@ -82,7 +82,7 @@ impl LightTable {
             }
             let filter = filter.and_then(Result::ok);
             let layout = Layout::top_down(Align::LEFT);
-            ui.with_layout(layout, |ui| self.table(ui, session, filter, &mut out));
+            ui.with_layout(layout, |ui| self.table(ui, session, filter.as_ref(), &mut out));
         });
         out
     }
@@ -92,11 +92,11 @@ impl LightTable {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        filter: Option<LightSet>,
+        filter: Option<&LightSet>,
         out: &mut Vec<Command>,
     ) {
         let sheet = Sheet { session, lights: &self.lights };
-        let rows = sheet.rows(filter.as_ref(), self.grid.sort);
+        let rows = sheet.rows(filter, self.grid.sort);
         if !rows.iter().any(|row| matches!(row, Row::Light(_))) {
             hint(
                 ui,

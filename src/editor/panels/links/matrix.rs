@@ -57,8 +57,8 @@ impl LinkMatrix {
         if pairs > MOST_PAIRS {
             return Self { is_too_large: true, ..Self::default() };
         }
-        let mut matrix = Self::default();
-        matrix.has_no_layers = pairs > MOST_PAIRS_WITH_LAYERS;
+        let has_no_layers = pairs > MOST_PAIRS_WITH_LAYERS;
+        let mut matrix = Self { has_no_layers, ..Self::default() };
         if !matrix.has_no_layers {
             matrix.layers = layers_of(setup, library, time);
         }
