@@ -17,8 +17,8 @@ const MAP_SNAP: f32 = 0.0078125;
 /// Share of a place that roundings may leave.
 const MAP_NOISE: f32 = 2e-6;
 
-/// Greatest change of nearness from texel to texel, in texels: of surfaces seen along their planes.
-const MOST_SLOPE: f32 = 1e3;
+/// Greatest change of nearness from texel to texel, in texels, that a plane is followed by.
+const STEEP: f32 = 4.0;
 
 /// Most that a surface which faces the light bends from a texel to its neighbor, in texels a texel.
 const MOST_BEND: f32 = 2.0;
@@ -72,12 +72,15 @@ fn mapped_surface(
     surface.object = object + 1.0;
     var place: vec2f;
     var steps: array<vec2f, 2>;
+    // The part of the normal along the map, upward.
+    var aside: vec2f;
     if source.w < 0.5 {
         let axes = map_axes(source.xyz);
         place = (axes * position).xy;
         surface.nearness = dot(source.xyz, position);
         surface.noise = MAP_NOISE * (dot(abs(source.xyz), abs(position)) + abs(map.z));
         let turned = axes * normal;
+        aside = turned.xy;
         surface.slope = -turned.xy / away_from_zero(turned.z, 1e-3 * size);
         steps = array((axes * across).xy, (axes * down).xy);
     } else {
@@ -98,6 +101,7 @@ fn mapped_surface(
         surface.slope = turned.xy / away_from_zero(dot(normal, way), least);
         let a = turned_to(across, axis);
         let b = turned_to(down, axis);
+        aside = turned.xy - side_of_axis * turned.z * place;
         steps = array((a.xy - side_of_axis * a.z * place) / depth,
             (b.xy - side_of_axis * b.z * place) / depth);
     }
@@ -108,8 +112,12 @@ fn mapped_surface(
     surface.down = steps[1] * texels;
     let slope = surface.slope / texels;
     surface.unit = 2.0 * map.z / side * select(1.0, surface.nearness, source.w > 0.5);
-    let most = vec2f(MOST_SLOPE * surface.unit);
-    surface.slope = select(vec2f(0.0), clamp(slope, -most, most), size > 0.0);
+    let steepness = sqrt(dot(slope, slope)) / surface.unit;
+    surface.slope = select(vec2f(0.0), slope * min(STEEP / max(steepness, 1e-20), 1.0), size > 0.0);
+    // Along a surface that the light hardly meets its own next texels are far nearer or farther: it
+    // is asked for a texel before its front, which looks at the viewer as `normal` does not.
+    let before = clamp(steepness / STEEP - 0.5, 0.0, 1.0) / max(sqrt(dot(aside, aside)), 1e-30);
+    surface.at += select(vec2f(0.0), before * aside * vec2f(-1.0, 1.0), size > 0.0);
     return surface;
 }
 
@@ -185,7 +193,10 @@ fn stands_before(surface: MappedSurface, texel: vec2i, found: vec4f) -> bool {
     let most = MOST_BEND * surface.unit + abs(surface.slope);
     let bend = min(abs(found.zw - surface.slope), most)
         + ROUGH * (surface.unit + abs(surface.slope));
-    return found.y > 0.5 && min(at_middle, at_place) > rounded + dot(bend, abs(near));
+    // With several samples a pixel, its middle may lie beside the triangle, on the plane of that.
+    let beside = min(0.5 * (abs(surface.across) + abs(surface.down)), vec2f(1.0));
+    let explained = rounded + dot(bend, max(abs(near), beside));
+    return found.y > 0.5 && min(at_middle, at_place) > explained;
 }
 
 /// True if the light is kept from a surface at a texel.

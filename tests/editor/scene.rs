@@ -858,17 +858,17 @@ fn groups_of_lights_are_mixed() {
 }
 
 #[test]
-fn outlines_of_a_scene_are_set_beside_its_objects() {
+fn outlines_of_a_scene_are_set_with_its_name() {
     let home = Home::new();
     let mut hand = lit_window(&home);
-    press(&mut hand, "Outlines (none)");
-    set_number(&mut hand, "Width", "8");
+    press(&mut hand, "Name, about, outlines");
+    assert!(!sees(&hand, "Silhouettes"), "none while there are no lines");
+    set_number(&mut hand, "Outlines", "8");
     assert_eq!(scene(&hand).outlines.width, 8.0);
     set_number(&mut hand, "Creases", "0.25");
     assert_eq!(scene(&hand).outlines.creases, 0.25);
-    assert!(sees(&hand, "Outlines") && !sees(&hand, "Outlines (none)"));
     hand.undo();
     hand.undo();
     assert_eq!(scene(&hand).outlines, chiaro::document::SceneOutlines::default());
-    assert!(sees(&hand, "Outlines (none)"), "and gone");
+    assert!(!sees(&hand, "Silhouettes"), "and gone");
 }

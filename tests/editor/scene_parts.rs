@@ -241,7 +241,7 @@ fn a_scene_is_named_and_described_as_one_step_each() {
     let home = Home::new();
     let mut hand = home.window();
     hand.tab("Objects");
-    hand.press("Name and about");
+    hand.press("Name, about, outlines");
     let name = hand.text_field("Scene name");
     hand.type_over(name, "Two in one light");
     assert_eq!(scene(&hand).name, "Two in one light");

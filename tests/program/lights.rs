@@ -190,16 +190,19 @@ fn mutes_and_solos_are_told_with_what_decides() {
     scene["muted"] = json!("back | group:rim");
     let words = |scene: &Json| String::from_utf8(lights(scene, &["--matrix"]).stdout).unwrap();
     let told = words(&scene);
-    assert!(told.contains("rim does not reach hero: `muted` (`back | group:rim`) has it\n"));
+    let both = "rim does not reach hero, floor: `muted` (`back | group:rim`) has it\n";
+    assert!(told.contains(both), "{told}");
     // A light that is soloed shines, muted or not.
     scene["soloed"] = json!("group:rim");
     let told = words(&scene);
-    assert!(told.contains("key does not reach hero: `soloed` (`group:rim`) has it not\n"));
+    let both = "key does not reach hero, floor: `soloed` (`group:rim`) has it not\n";
+    assert!(told.contains(both), "{told}");
     assert!(!told.contains("rim does not"), "{told}");
     scene["light_groups"] = json!({"rim": {"intensity": 0}, "rims": {"exposure": 1}});
     let told = lights(&scene, &["--matrix"]);
     let (table, said) = (String::from_utf8(told.stdout), String::from_utf8(told.stderr).unwrap());
-    assert!(table.unwrap().contains("rim does not reach hero: the master of its group `rim` is 0"));
+    let both = "rim does not reach hero, floor: the master of its group `rim` is 0";
+    assert!(table.unwrap().contains(both));
     for words in [
         "warning[unknown-light]: the scene has a master of the group `rims`, of which no light is",
         "did you mean `rim`?",

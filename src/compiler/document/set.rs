@@ -709,7 +709,7 @@ mod tests {
             warnings.into_iter().map(|one| one.hints.concat()).collect::<Vec<_>>()
         };
         assert_eq!(hints("rim"), ["write `rim-left`, or the name in quotes: `\"Rim\"`"]);
-        assert_eq!(hints("kye"), ["did you mean `key`?"]);
+        assert_eq!(hints("kye"), ["did you mean `eye` or `key`?"]);
     }
 
     /// A set with its members by the algebra of sets, written down for each pair of operands.

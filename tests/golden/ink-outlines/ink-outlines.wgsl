@@ -397,9 +397,10 @@ fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels:
     reach: f32) -> vec4f {
     let is_same_object = middle.y == object_number(object);
     let behind = (depth - middle.x) * pixels;
-    // Slivers of the same surface are seen on the planes of their own triangles.
-    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0);
-    let is_in_front = behind < select(-2.0, -8.0, is_same_object);
+    // Slivers of the same surface are seen on the planes of their own triangles. Bounds are none of
+    // the round numbers that depths of things put together by hand have.
+    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0625);
+    let is_in_front = behind < select(-2.0625, -8.0625, is_same_object);
     let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
     return select(other, nearness, is_own);
 }

@@ -1196,7 +1196,7 @@ metal::float4 own_nearness(
     float behind = (depth - middle.x) * pixels;
     if (!((middle.y == 0.0))) {
         if (is_same_object) {
-            local_4 = metal::abs(behind) <= 8.0;
+            local_4 = metal::abs(behind) <= 8.0625;
         } else {
             local_4 = false;
         }
@@ -1204,9 +1204,10 @@ metal::float4 own_nearness(
     } else {
         local_3 = true;
     }
-    // Slivers of the same surface are seen on the planes of their own triangles.
+    // Slivers of the same surface are seen on the planes of their own triangles. Bounds are none of
+    // the round numbers that depths of things put together by hand have.
     bool is_own = local_3;
-    bool is_in_front = behind < (is_same_object ? -8.0 : -2.0);
+    bool is_in_front = behind < (is_same_object ? -8.0625 : -2.0625);
     metal::float4 other = metal::float4(is_in_front ? reach : 0.0, 0.0, nearness.z, 0.0);
     return is_own ? nearness : other;
 }

@@ -57,7 +57,6 @@ impl Objects {
             return out.into_iter().map(Command::Scene).collect();
         };
         words::show(ui, open_scene.scene(), &mut out);
-        outlines::show(ui, open_scene.scene(), &mut out);
         if open_scene.scene().objects.is_empty() {
             hint(ui, "The scene has no objects yet.");
         }

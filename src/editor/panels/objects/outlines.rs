@@ -1,6 +1,6 @@
 //! Lines over the whole picture, which a scene draws after the looks.
 
-use eframe::egui::{CollapsingHeader, Id, Slider, Ui};
+use eframe::egui::{Id, Slider, Ui};
 
 use crate::commands::SceneCommand;
 use crate::document::{ColorSpace, Scene, SceneEdit, SceneOutlines};
@@ -46,31 +46,27 @@ const KINDS: [Kind; 5] = [
     },
 ];
 
-/// Shows the lines of the scene, in a collapsible section.
+/// Shows the lines of the scene, a row each; those of their kinds where there are any.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
-    let title = if scene.outlines.are_drawn() { "Outlines" } else { "Outlines (none)" };
-    let section = CollapsingHeader::new(title).id_salt("outlines of the scene").show(ui, |ui| {
-        let mut edit = Edit { outlines: scene.outlines, out };
-        let help = "Of a whole line, in thousandths of the picture's height; 0 draws none";
-        let range = 0.0..=SceneOutlines::MOST_WIDTH;
-        edit.slider(ui, ("Width", help), range, |outlines| &mut outlines.width);
-        if scene.outlines.width == 0.0 {
-            return;
-        }
-        labelled(ui, "Color", "Of all lines; what is below shows through", |ui, label| {
-            let edited = color::edit(ui, label, scene.outlines.color, ColorSpace::Display, true);
-            if let Some((id, color)) = edited {
-                edit.outlines.color = color;
-                edit.push(id);
-            }
-        });
-        for Kind { label, help, share } in &KINDS {
-            edit.slider(ui, (label, help), 0.0..=1.0, share);
+    let mut edit = Edit { outlines: scene.outlines, out };
+    let help = "Lines over the whole picture, drawn after the looks, beside objects too: their \
+                width in thousandths of the picture's height, 0 for none. For lines that belong \
+                to a look, wire the node Outline";
+    let range = 0.0..=SceneOutlines::MOST_WIDTH;
+    edit.slider(ui, ("Outlines", help), range, |outlines| &mut outlines.width);
+    if scene.outlines.width == 0.0 {
+        return;
+    }
+    labelled(ui, "Color", "Of all lines; what is below shows through", |ui, label| {
+        let edited = color::edit(ui, label, scene.outlines.color, ColorSpace::Display, true);
+        if let Some((id, color)) = edited {
+            edit.outlines.color = color;
+            edit.push(id);
         }
     });
-    let help = "Lines over the whole picture, drawn after the looks, beside objects too. For lines \
-                that belong to a look, wire the node Outline";
-    section.header_response.on_hover_text(help);
+    for Kind { label, help, share } in &KINDS {
+        edit.slider(ui, (label, help), 0.0..=1.0, share);
+    }
 }
 
 /// Outlines that fields change, and where the changes go.

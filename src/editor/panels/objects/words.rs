@@ -1,15 +1,16 @@
-//! Name and description of a scene, as a look has them.
+//! Name, description and outlines of a scene.
 
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
+use super::outlines;
 use crate::commands::SceneCommand;
 use crate::document::{Scene, SceneEdit};
 use crate::fields::row::labelled;
 
-/// Shows both fields, in a collapsible section.
+/// Shows all fields, in a collapsible section.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
-    let title =
-        if scene.name.is_empty() { "Name and about".to_owned() } else { scene.name.clone() };
+    let unnamed = "Name, about, outlines";
+    let title = if scene.name.is_empty() { unnamed.to_owned() } else { scene.name.clone() };
     let section = CollapsingHeader::new(title).id_salt("words of the scene").show(ui, |ui| {
         labelled(ui, "Scene name", "What you call this scene", |ui, label| {
             let mut name = scene.name.clone();
@@ -29,6 +30,9 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
                 out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));
             }
         });
+        outlines::show(ui, scene, out);
     });
-    section.header_response.on_hover_text("What the scene is called, and what it shows");
+    section
+        .header_response
+        .on_hover_text("What the scene is called, what it shows, and lines over it");
 }
