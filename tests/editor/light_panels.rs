@@ -206,6 +206,20 @@ fn an_inherited_light_gets_one_of_the_scene_and_gives_it_back() {
     assert_eq!(told(&hand, "Intensity of fill"), "0.5, 0.25 by the mix");
 }
 
+/// No effect of a light's own value where objects set what their look exposes of it.
+#[test]
+fn values_that_objects_set_themselves_are_told() {
+    let mut hand = User::new();
+    hand.app_mut().open(Path::new("examples/scenes/face-map.json"));
+    hand.settle();
+    let own = scene(&hand).objects.values().filter(|object| object.values.contains_key("light"));
+    let count = own.count();
+    show(&mut hand, "Light table");
+    let text = told(&hand, "Direction of key");
+    assert!(count > 20 && text.ends_with(&format!(", set by {count} objects")), "{text}");
+    assert!(!told(&hand, "Intensity of key").contains("objects"));
+}
+
 #[test]
 fn values_of_a_look_are_keyed_from_their_cells() {
     let mut hand = User::new();

@@ -4,7 +4,7 @@
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use crate::commands::table::{self, CommandRow, KeyScope, PAINTING_POINTER, POINTER};
+use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
 use crate::ids::NodeId;
 use crate::state::session::Session;
@@ -111,6 +111,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
                 rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
             };
             list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
+            list(middle, "In the light table", &told(LIGHT_TABLE));
             for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }

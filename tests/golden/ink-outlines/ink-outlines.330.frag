@@ -82,6 +82,8 @@ const uint INTERPOLATION_STEPPED = 2u;
 const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const float LEAST_NEARNESS = 1e-6;
 const Ramp three_washes = Ramp(vec4[16](vec4(0.4353, 0.5255, 0.6588, 1.0), vec4(0.7882, 0.6471, 0.549, 1.0), vec4(0.949, 0.851, 0.6941, 1.0), vec4(1.0, 0.9647, 0.8784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.36, 0.54, 0.93), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 2u);
 const Ramp ink = Ramp(vec4[16](vec4(0.0784, 0.102, 0.2, 1.0), vec4(0.3529, 0.1647, 0.1098, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.1, 0.85, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
 
@@ -456,7 +458,7 @@ vec4 own_nearness(vec4 nearness, vec2 middle, float depth, float object, float p
     bool local_1 = false;
     bool is_same_object = (middle.y == object_number(object));
     float behind = ((depth - middle.x) * pixels);
-    if (!((middle.y == 0.0))) {
+    if (!((abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = (abs(behind) <= 8.0625);
         } else {
@@ -498,7 +500,7 @@ vec4 middle_line_covers(vec4 distance_, vec4 width) {
 vec4 lines_cover(vec4 nearness, vec4 widths, float reach) {
     vec4 distance_ = (vec4(reach) - nearness);
     vec4 covers = vec4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return mix(vec4(0.0), covers, greaterThan(nearness, vec4(0.0)));
+    return mix(vec4(0.0), covers, greaterThan(nearness, vec4(1e-6)));
 }
 
 /// Inner contour

@@ -45,6 +45,8 @@ const uint INTERPOLATION_STEPPED = 2u;
 const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const float LEAST_NEARNESS = 1e-6;
 const Ramp three_washes = Ramp(vec4[16](vec4(0.4353, 0.5255, 0.6588, 1.0), vec4(0.7882, 0.6471, 0.549, 1.0), vec4(0.949, 0.851, 0.6941, 1.0), vec4(1.0, 0.9647, 0.8784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.36, 0.54, 0.93), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 2u);
 const Ramp ink = Ramp(vec4[16](vec4(0.0784, 0.102, 0.2, 1.0), vec4(0.3529, 0.1647, 0.1098, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.1, 0.85, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
 

@@ -129,6 +129,8 @@ constant float HALF_PI = 1.5707964;
 constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+constant float LEAST_NEARNESS = 0.000001;
 
 /// The slope n.xy / n.z of a normal in camera axes.
 metal::float2 slope_of(
@@ -1194,7 +1196,7 @@ metal::float4 own_nearness(
     bool local_4 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((middle.y == 0.0))) {
+    if (!((metal::abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_4 = metal::abs(behind) <= 8.0625;
         } else {
@@ -1268,7 +1270,8 @@ float any_line_covers(
     float reach
 ) {
     metal::float4 near = metal::clamp(bounded_vec4(nearness), metal::float4(-(reach)), metal::float4(reach));
-    metal::float4 own = metal::select(metal::float4(0.0), widths_near(near, widths), near != metal::float4(0.0));
+    metal::float4 widths_near_value = widths_near(near, widths);
+    metal::float4 own = metal::select(metal::float4(0.0), widths_near_value, metal::abs(near) > metal::float4(0.000001));
     metal::float4 covers = middle_line_covers(metal::float4(reach) - metal::abs(near), own);
     return metal::max(metal::max(covers.x, covers.y), metal::max(covers.z, covers.w));
 }
@@ -1283,7 +1286,7 @@ metal::float4 lines_cover(
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
     metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
-    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.0));
+    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
 /// True if a texel belongs to the surface of a plane, so many pixels away.

@@ -123,6 +123,8 @@ static const uint INTERPOLATION_STEPPED = 2u;
 static const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+static const float LEAST_NEARNESS = 1e-6;
 static const Ramp three_washes = {{float4(0.4353, 0.5255, 0.6588, 1.0), float4(0.7882, 0.6471, 0.549, 1.0), float4(0.949, 0.851, 0.6941, 1.0), float4(1.0, 0.9647, 0.8784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.36, 0.54, 0.93), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 2u};
 static const Ramp ink = {{float4(0.0784, 0.102, 0.2, 1.0), float4(0.3529, 0.1647, 0.1098, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.1, 0.85, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 2u, 1u};
 
@@ -562,7 +564,7 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
 
     bool is_same_object = (middle.y == object_number(object));
     float behind = ((depth - middle.x) * pixels);
-    if (!((middle.y == 0.0))) {
+    if (!((abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = (abs(behind) <= 8.0625);
         } else {
@@ -616,7 +618,7 @@ float4 lines_cover(float4 nearness, float4 widths, float reach)
 {
     float4 distance_ = ((reach).xxxx - nearness);
     float4 covers = float4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return ((nearness > (0.0).xxxx) ? covers : (0.0).xxxx);
+    return ((nearness > (1e-6).xxxx) ? covers : (0.0).xxxx);
 }
 
 /// Inner contour

@@ -132,6 +132,8 @@ static const float HALF_PI = 1.5707964;
 static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+static const float LEAST_NEARNESS = 1e-6;
 
 Texture2D<float4> surface : register(t0);
 cbuffer curvature : register(b0) { Curvature curvature; }
@@ -1114,7 +1116,7 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
 
     bool is_same_object = (middle.y == object_number(object));
     float behind = ((depth - middle.x) * pixels);
-    if (!((middle.y == 0.0))) {
+    if (!((abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_4 = (abs(behind) <= 8.0625);
         } else {
@@ -1182,7 +1184,7 @@ float any_line_covers(float4 nearness, LineWidths widths, float reach)
 {
     float4 near = clamp(bounded_vec4(nearness), (-(reach)).xxxx, (reach).xxxx);
     const float4 widths_near_value = widths_near(near, widths);
-    float4 own = ((near != (0.0).xxxx) ? widths_near_value : (0.0).xxxx);
+    float4 own = ((abs(near) > (1e-6).xxxx) ? widths_near_value : (0.0).xxxx);
     const float4 covers = middle_line_covers(((reach).xxxx - abs(near)), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -1194,7 +1196,7 @@ float4 lines_cover(float4 nearness, float4 widths, float reach)
 {
     float4 distance_ = ((reach).xxxx - nearness);
     float4 covers = float4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return ((nearness > (0.0).xxxx) ? covers : (0.0).xxxx);
+    return ((nearness > (1e-6).xxxx) ? covers : (0.0).xxxx);
 }
 
 /// True if a texel belongs to the surface of a plane, so many pixels away.

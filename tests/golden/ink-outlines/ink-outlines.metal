@@ -112,6 +112,8 @@ constant uint INTERPOLATION_STEPPED = 2u;
 constant uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+constant float LEAST_NEARNESS = 0.000001;
 constant Ramp three_washes = Ramp {type_7 {{metal::float4(0.4353, 0.5255, 0.6588, 1.0), metal::float4(0.7882, 0.6471, 0.549, 1.0), metal::float4(0.949, 0.851, 0.6941, 1.0), metal::float4(1.0, 0.9647, 0.8784, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.36, 0.54, 0.93), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 2u};
 constant Ramp ink = Ramp {type_7 {{metal::float4(0.0784, 0.102, 0.2, 1.0), metal::float4(0.3529, 0.1647, 0.1098, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.1, 0.85, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 2u, 1u};
 
@@ -585,7 +587,7 @@ metal::float4 own_nearness(
     bool local_1 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((middle.y == 0.0))) {
+    if (!((metal::abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = metal::abs(behind) <= 8.0625;
         } else {
@@ -641,7 +643,7 @@ metal::float4 lines_cover(
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
     metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
-    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.0));
+    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
 /// Inner contour

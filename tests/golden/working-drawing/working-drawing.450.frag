@@ -86,6 +86,8 @@ const uint INTERPOLATION_SMOOTH = 1u;
 const uint INTERPOLATION_STEPPED = 2u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const float LEAST_NEARNESS = 1e-6;
 const Ramp paper = Ramp(vec4[16](vec4(0.8, 0.845, 0.885, 1.0), vec4(0.955, 0.965, 0.955, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.75, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -330,7 +332,7 @@ vec4 own_nearness(vec4 nearness, vec2 middle, float depth, float object, float p
     bool local_1 = false;
     bool is_same_object = (middle.y == object_number(object));
     float behind = ((depth - middle.x) * pixels);
-    if (!((middle.y == 0.0))) {
+    if (!((abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = (abs(behind) <= 8.0625);
         } else {
@@ -377,7 +379,7 @@ vec4 middle_line_covers(vec4 distance_, vec4 width) {
 /// kind are: all lie evenly on both sides.
 float any_line_covers(vec4 nearness, LineWidths widths, float reach) {
     vec4 near = clamp(nearness, vec4(-(reach)), vec4(reach));
-    vec4 own = mix(vec4(0.0), vec4(widths.kinds.xyz, ((near.w < 0.0) ? widths.ids : widths.kinds.w)), notEqual(near, vec4(0.0)));
+    vec4 own = mix(vec4(0.0), vec4(widths.kinds.xyz, ((near.w < 0.0) ? widths.ids : widths.kinds.w)), greaterThan(abs(near), vec4(1e-6)));
     vec4 covers = middle_line_covers((vec4(reach) - abs(near)), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -388,7 +390,7 @@ float any_line_covers(vec4 nearness, LineWidths widths, float reach) {
 vec4 lines_cover(vec4 nearness, vec4 widths, float reach) {
     vec4 distance_ = (vec4(reach) - nearness);
     vec4 covers = vec4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return mix(vec4(0.0), covers, greaterThan(nearness, vec4(0.0)));
+    return mix(vec4(0.0), covers, greaterThan(nearness, vec4(1e-6)));
 }
 
 /// Hidden lines

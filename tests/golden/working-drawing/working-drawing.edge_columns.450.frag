@@ -45,6 +45,8 @@ const float HALF_PI = 1.5707964;
 const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const float LEAST_NEARNESS = 1e-6;
 
 layout(binding = 0) uniform sampler2D u_surface;
 

@@ -49,6 +49,8 @@ const uint INTERPOLATION_SMOOTH = 1u;
 const uint INTERPOLATION_STEPPED = 2u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const float LEAST_NEARNESS = 1e-6;
 const Ramp paper = Ramp(vec4[16](vec4(0.8, 0.845, 0.885, 1.0), vec4(0.955, 0.965, 0.955, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.75, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };

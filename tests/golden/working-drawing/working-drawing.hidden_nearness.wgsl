@@ -999,6 +999,9 @@ const LINE_STEPS = 16.0;
 /// The same in the fast tier.
 const FEW_LINE_STEPS = 8.0;
 
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const LEAST_NEARNESS: f32 = 1e-6;
+
 /// Farthest that a line is known from its edge, in pixels: so many steps of 1/800 of the picture's
 /// height, and at most 31 pixels, as far as an offset fits into a texel.
 fn line_reach(viewport_height: f32, steps: f32) -> f32 {
@@ -1015,7 +1018,7 @@ fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels:
     let behind = (depth - middle.x) * pixels;
     // Slivers of the same surface are seen on the planes of their own triangles. Bounds are none of
     // the round numbers that depths of things put together by hand have.
-    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0625);
+    let is_own = abs(middle.y) < 0.5 || (is_same_object && abs(behind) <= 8.0625);
     let is_in_front = behind < select(-2.0625, -8.0625, is_same_object);
     let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
     return select(other, nearness, is_own);
@@ -1065,7 +1068,7 @@ fn middle_line_covers(distance: vec4f, width: vec4f) -> vec4f {
 /// kind are: all lie evenly on both sides.
 fn any_line_covers(nearness: vec4f, widths: LineWidths, reach: f32) -> f32 {
     let near = clamp(bounded_vec4(nearness), vec4f(-reach), vec4f(reach));
-    let own = select(vec4f(0.0), widths_near(near, widths), near != vec4f(0.0));
+    let own = select(vec4f(0.0), widths_near(near, widths), abs(near) > vec4f(LEAST_NEARNESS));
     let covers = middle_line_covers(reach - abs(near), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -1077,7 +1080,7 @@ fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
     let distance = reach - nearness;
     let covers = vec4f(inner_line_covers(distance.x, widths.x),
         middle_line_covers(distance, widths).yzw);
-    return select(vec4f(0.0), covers, nearness > vec4f(0.0));
+    return select(vec4f(0.0), covers, nearness > vec4f(LEAST_NEARNESS));
 }
 // How far pixels are from the nearest edges (docs/math.md 14): first within each column, then over
 // the columns, which finds the nearest for few reads however far away it is.

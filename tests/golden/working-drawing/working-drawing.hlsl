@@ -120,6 +120,8 @@ static const uint INTERPOLATION_SMOOTH = 1u;
 static const uint INTERPOLATION_STEPPED = 2u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+static const float LEAST_NEARNESS = 1e-6;
 static const Ramp paper = {{float4(0.8, 0.845, 0.885, 1.0), float4(0.955, 0.965, 0.955, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.75, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 2u, 1u};
 
 cbuffer view : register(b0) { View view; }
@@ -419,7 +421,7 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
 
     bool is_same_object = (middle.y == object_number(object));
     float behind = ((depth - middle.x) * pixels);
-    if (!((middle.y == 0.0))) {
+    if (!((abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = (abs(behind) <= 8.0625);
         } else {
@@ -480,7 +482,7 @@ float4 middle_line_covers(float4 distance_, float4 width)
 float any_line_covers(float4 nearness, LineWidths widths, float reach)
 {
     float4 near = clamp(nearness, (-(reach)).xxxx, (reach).xxxx);
-    float4 own = ((near != (0.0).xxxx) ? float4(widths.kinds.xyz, ((near.w < 0.0) ? widths.ids : widths.kinds.w)) : (0.0).xxxx);
+    float4 own = ((abs(near) > (1e-6).xxxx) ? float4(widths.kinds.xyz, ((near.w < 0.0) ? widths.ids : widths.kinds.w)) : (0.0).xxxx);
     const float4 covers = middle_line_covers(((reach).xxxx - abs(near)), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -492,7 +494,7 @@ float4 lines_cover(float4 nearness, float4 widths, float reach)
 {
     float4 distance_ = ((reach).xxxx - nearness);
     float4 covers = float4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return ((nearness > (0.0).xxxx) ? covers : (0.0).xxxx);
+    return ((nearness > (1e-6).xxxx) ? covers : (0.0).xxxx);
 }
 
 /// Hidden lines

@@ -116,6 +116,8 @@ constant uint INTERPOLATION_SMOOTH = 1u;
 constant uint INTERPOLATION_STEPPED = 2u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+constant float LEAST_NEARNESS = 0.000001;
 constant Ramp paper = Ramp {type_7 {{metal::float4(0.8, 0.845, 0.885, 1.0), metal::float4(0.955, 0.965, 0.955, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.75, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 2u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
@@ -425,7 +427,7 @@ metal::float4 own_nearness(
     bool local_1 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((middle.y == 0.0))) {
+    if (!((metal::abs(middle.y) < 0.5))) {
         if (is_same_object) {
             local_1 = metal::abs(behind) <= 8.0625;
         } else {
@@ -490,7 +492,7 @@ float any_line_covers(
     float reach
 ) {
     metal::float4 near = metal::clamp(nearness, metal::float4(-(reach)), metal::float4(reach));
-    metal::float4 own = metal::select(metal::float4(0.0), metal::float4(widths.kinds.xyz, (near.w < 0.0) ? widths.ids : widths.kinds.w), near != metal::float4(0.0));
+    metal::float4 own = metal::select(metal::float4(0.0), metal::float4(widths.kinds.xyz, (near.w < 0.0) ? widths.ids : widths.kinds.w), metal::abs(near) > metal::float4(0.000001));
     metal::float4 covers = middle_line_covers(metal::float4(reach) - metal::abs(near), own);
     return metal::max(metal::max(covers.x, covers.y), metal::max(covers.z, covers.w));
 }
@@ -505,7 +507,7 @@ metal::float4 lines_cover(
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
     metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
-    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.0));
+    return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
 /// Hidden lines

@@ -277,6 +277,8 @@ struct ScreenPlace {
     uv: vec2f,
 }
 
+/// What is no nearer than this many pixels is not near at all: less is rounding.
+const LEAST_NEARNESS: f32 = 1e-6;
 /// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
 /// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
 /// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
@@ -287,7 +289,7 @@ fn own_nearness(nearness: vec4f, middle: vec2f, depth: f32, object: f32, pixels:
     let behind = (depth - middle.x) * pixels;
     // Slivers of the same surface are seen on the planes of their own triangles. Bounds are none of
     // the round numbers that depths of things put together by hand have.
-    let is_own = middle.y == 0.0 || (is_same_object && abs(behind) <= 8.0625);
+    let is_own = abs(middle.y) < 0.5 || (is_same_object && abs(behind) <= 8.0625);
     let is_in_front = behind < select(-2.0625, -8.0625, is_same_object);
     let other = vec4f(select(0.0, reach, is_in_front), 0.0, nearness.z, 0.0);
     return select(other, nearness, is_own);
@@ -332,7 +334,7 @@ fn middle_line_covers(distance: vec4f, width: vec4f) -> vec4f {
 fn any_line_covers(nearness: vec4f, widths: LineWidths, reach: f32) -> f32 {
     let near = clamp(nearness, vec4f(-reach), vec4f(reach));
     let own = select(vec4f(0.0), vec4f(widths.kinds.xyz,
-        select(widths.kinds.w, widths.ids, near.w < 0.0)), near != vec4f(0.0));
+        select(widths.kinds.w, widths.ids, near.w < 0.0)), abs(near) > vec4f(1e-6));
     let covers = middle_line_covers(reach - abs(near), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -344,7 +346,7 @@ fn lines_cover(nearness: vec4f, widths: vec4f, reach: f32) -> vec4f {
     let distance = reach - nearness;
     let covers = vec4f(inner_line_covers(distance.x, widths.x),
         middle_line_covers(distance, widths).yzw);
-    return select(vec4f(0.0), covers, nearness > vec4f(0.0));
+    return select(vec4f(0.0), covers, nearness > vec4f(LEAST_NEARNESS));
 }
 
 /// Hidden lines

@@ -196,6 +196,19 @@ pub(crate) const POINTER: &[(&str, &str)] = &[
     ("Right-click", "Menu"),
 ];
 
+/// Keys of the light table, as the sheet of shortcuts lists them; the table takes them where one of
+/// its cells has the focus.
+pub(crate) const LIGHT_TABLE: &[(&str, &str)] = &[
+    ("Enter, F2 or typing", "Change all selected cells"),
+    ("0.5  *1.2  +0.1  50%", "Typed: a value or a change"),
+    ("Alt+Up, Alt+Down", "Nudge"),
+    ("K", "Key, or take the key away"),
+    ("Space", "Turn a switch"),
+    ("Delete", "Reset"),
+    ("Ctrl+C, Ctrl+V", "Copy and paste cells"),
+    ("Ctrl+A", "Select more"),
+];
+
 /// Actions of the pointer on the tile that is painted, for the sheet of shortcuts.
 pub(crate) const PAINTING_POINTER: &[(&str, &str)] = &[
     ("Drag", "Paint, with the tool at hand"),

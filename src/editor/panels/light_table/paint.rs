@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Color32, FontId, Rect, Stroke, Ui, pos2, vec2};
 use super::change::form_of;
 use super::column::Column;
 use super::selection::Place;
-use super::sheet::{Cell, CellValue, Origin, Row, Sheet};
+use super::sheet::{Cell, CellValue, Effect, Origin, Row, Sheet};
 use crate::document::Light;
 use crate::fields::mark;
 use crate::panels::lights::swatch as swatch_of;
@@ -49,7 +49,8 @@ pub(super) fn cell(
         switch(ui, rect, *column, cell, *is_on);
         return;
     }
-    let is_out = cell.overridden.as_ref().is_some_and(|by| by.left.is_none());
+    let effect = cell.overridden.as_ref().map(|by| &by.effect);
+    let is_out = effect == Some(&Effect::Out);
     let is_quiet = is_out || cell.origin == Origin::Inherited || *column == Column::Id;
     let ink = if is_quiet { colors.dim } else { colors.text };
     let mut inner = inner;
@@ -69,16 +70,19 @@ pub(super) fn cell(
         inner.min.x = at.right() + 5.0;
     }
     let text = value.text(sheet.session);
-    let left = cell.overridden.as_ref().and_then(|by| by.left.as_ref());
-    if let Some(CellValue::Color(color)) = left {
+    let beside = match effect {
+        Some(Effect::Left(left)) => Some(left.text(sheet.session)),
+        Some(Effect::Objects(count)) => Some(format!("{count} own")),
+        _ => None,
+    };
+    if let Some(Effect::Left(CellValue::Color(color))) = effect {
         // What the tint leaves of the color stands beside it.
         let at = Rect::from_center_size(inner.right_center() - vec2(5.0, 0.0), vec2(10.0, 14.0));
         ui.painter().rect_filled(at, 2.0, seen(sheet, *color));
         picture_frame(ui, at);
         inner.max.x = at.left() - 4.0;
-    } else if let Some(left) = left {
+    } else if let Some(text) = beside {
         let font = FontId::proportional(theme::SMALL_TEXT);
-        let text = left.text(sheet.session);
         let (at, ink) = (inner.right_center(), colors.accent);
         let at = ui.painter().text(at, Align2::RIGHT_CENTER, text, font, ink);
         let tip = at.left_center() - vec2(3.0, 0.0);

@@ -11,6 +11,7 @@ use crate::document::{GroupMaster, LightField, LightSet, MAX_EXPOSURE, Scene, Se
 use crate::fields::lighting::{OwnedKeys, OwnedLight, Owner};
 use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
+use crate::figures;
 use crate::ids::{LightGroup, LightId};
 use crate::panels::lights::{groups_text, space_name, swatch};
 use crate::state::keying::KeyedBy;
@@ -56,13 +57,23 @@ pub(super) enum Origin {
     Keyed,
 }
 
-/// Effect of the scene's mix, or of this window's solos, on a cell's value.
+/// Effect of the scene's mix, of this window's solos or of objects on a cell's value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Override {
     /// Cause of it, in words.
     pub(super) by: String,
-    /// Rest of the value; `None` where the light is out.
-    pub(super) left: Option<CellValue>,
+    pub(super) effect: Effect,
+}
+
+/// Rest of a value that is overridden.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Effect {
+    /// The light is out.
+    Out,
+    /// The mix leaves this of it.
+    Left(CellValue),
+    /// So many objects have values of their own in its place.
+    Objects(usize),
 }
 
 /// Cell of the table. Without a value, lights of the kind have no such field.
@@ -199,9 +210,12 @@ impl<'s> Sheet<'s> {
         };
         let left = match &cell.overridden {
             None => String::new(),
-            Some(Override { left: None, .. }) => ", out".to_owned(),
-            Some(Override { left: Some(left), .. }) => {
+            Some(Override { effect: Effect::Out, .. }) => ", out".to_owned(),
+            Some(Override { effect: Effect::Left(left), .. }) => {
                 format!(", {} by the mix", left.text(self.session))
+            }
+            Some(Override { effect: Effect::Objects(count), .. }) => {
+                format!(", set by {}", figures::count(*count as u64, "object"))
             }
         };
         format!("{}{origin}{left}", value.text(self.session))
@@ -240,7 +254,7 @@ impl<'s> Sheet<'s> {
                     }
                 }
                 let numbers = field.numbers(&shown).to_vec();
-                overridden = self.overriding(id, field, &numbers);
+                overridden = self.overriding(id, field, &numbers).or_else(|| self.own(id, field));
                 field_value(field, numbers)
             }
         };
@@ -287,7 +301,7 @@ impl<'s> Sheet<'s> {
     fn why_dark(self, id: &LightId) -> Option<Override> {
         let here = self.session.view.solo.is_dark(id).then(|| "Out in this window".to_owned());
         let by = here.or_else(|| self.lights.told(id))?;
-        Some(Override { by, left: None })
+        Some(Override { by, effect: Effect::Out })
     }
 
     /// Override of a field by the mix.
@@ -315,7 +329,29 @@ impl<'s> Sheet<'s> {
         let text = left.text(self.session);
         let by =
             format!("{text} in the scene: the master of {of} {} {is} on it", groups.join(", "));
-        Some(Override { by, left: Some(left) })
+        Some(Override { by, effect: Effect::Left(left) })
+    }
+
+    /// Override of a field by objects that wear the open look: where it exposes the field, they may
+    /// have values of their own.
+    fn own(self, id: &LightId, field: LightField) -> Option<Override> {
+        let target = Target::Light { light: id.clone(), field: field.name().to_owned() };
+        let exposed =
+            self.session.look().exposed.iter().find(|exposed| exposed.target == target)?;
+        let open_scene = self.session.open_scene()?;
+        let objects = open_scene.scene().objects.values();
+        let own = objects
+            .filter(|object| open_scene.wears_open(object))
+            .filter(|object| object.values.contains_key(&exposed.name));
+        let count = own.count();
+        let name = if exposed.label.is_empty() { exposed.name.as_str() } else { &exposed.label };
+        let whose = match count {
+            0 => return None,
+            1 => "1 object has its own".to_owned(),
+            _ => format!("{count} objects have their own"),
+        };
+        let by = format!("{whose} in its place: the parameter \"{name}\" in Objects");
+        Some(Override { by, effect: Effect::Objects(count) })
     }
 
     /// Number of lights in a group, and of those that are out.
