@@ -162,10 +162,12 @@ fn drawn_outline(line_widths: LineWidths, of_edges: vec4f, reach: f32) -> Outlin
     let widths = widths_near(signed, line_widths);
     let covers = lines_cover(nearness, widths, reach);
     let line = max(max(covers.x, covers.y), max(covers.z, covers.w));
+    // Kinds that cover as much but for rounding: the first of them.
+    let least = line - 0.0009765625;
     var kind = select(4.0, 5.0, signed.w < 0.0);
-    kind = select(kind, 3.0, covers.z == line);
-    kind = select(kind, 2.0, covers.y == line);
-    kind = select(kind, 1.0, covers.x == line);
+    kind = select(kind, 3.0, covers.z >= least);
+    kind = select(kind, 2.0, covers.y >= least);
+    kind = select(kind, 1.0, covers.x >= least);
     let near = select(vec4f(0.0), nearness, widths > vec4f(0.0));
     let nearest = max(max(near.x, near.y), max(near.z, near.w));
     // A share of nothing but rounding is of no kind; widths of round numbers are not at the bound.

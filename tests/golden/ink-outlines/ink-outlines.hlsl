@@ -660,10 +660,11 @@ Outline drawn_outline(LineWidths line_widths, float4 of_edges, float reach)
     float4 widths = float4(line_widths.kinds.xyz, ((signed_.w < 0.0) ? 0.0 : line_widths.kinds.w));
     const float4 covers = lines_cover(nearness, widths, reach);
     float line_ = max(max(covers.x, covers.y), max(covers.z, covers.w));
+    float least = (line_ - 0.0009765625);
     kind = ((signed_.w < 0.0) ? 5.0 : 4.0);
-    kind = ((covers.z == line_) ? 3.0 : kind);
-    kind = ((covers.y == line_) ? 2.0 : kind);
-    kind = ((covers.x == line_) ? 1.0 : kind);
+    kind = ((covers.z >= least) ? 3.0 : kind);
+    kind = ((covers.y >= least) ? 2.0 : kind);
+    kind = ((covers.x >= least) ? 1.0 : kind);
     float4 near = ((widths > (0.0).xxxx) ? nearness : (0.0).xxxx);
     float nearest = max(max(near.x, near.y), max(near.z, near.w));
     const Outline outline = ConstructOutline(line_, ((line_ > 0.0009765625) ? kind : 0.0), (reach - nearest));

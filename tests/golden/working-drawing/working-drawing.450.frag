@@ -412,10 +412,11 @@ Outline drawn_outline(LineWidths line_widths, vec4 of_edges, float reach) {
     vec4 widths = vec4(line_widths.kinds.xyz, 0.0);
     vec4 covers = lines_cover(nearness, widths, reach);
     float line = max(max(covers.x, covers.y), covers.z);
+    float least = (line - 0.0009765625);
     kind = ((signed.w < 0.0) ? 5.0 : 4.0);
-    kind = ((covers.z == line) ? 3.0 : kind);
-    kind = ((covers.y == line) ? 2.0 : kind);
-    kind = ((covers.x == line) ? 1.0 : kind);
+    kind = ((covers.z >= least) ? 3.0 : kind);
+    kind = ((covers.y >= least) ? 2.0 : kind);
+    kind = ((covers.x >= least) ? 1.0 : kind);
     vec4 near = mix(vec4(0.0), nearness, greaterThan(widths, vec4(0.0)));
     float nearest = max(max(near.x, near.y), near.z);
     return Outline(line, ((line > 0.0009765625) ? kind : 0.0), (reach - nearest));

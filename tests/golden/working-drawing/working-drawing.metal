@@ -540,10 +540,11 @@ Outline drawn_outline(
     metal::float4 widths = metal::float4(line_widths.kinds.xyz, 0.0);
     metal::float4 covers = lines_cover(nearness, widths, reach);
     float line = metal::max(metal::max(covers.x, covers.y), covers.z);
+    float least = line - 0.0009765625;
     kind = (signed_.w < 0.0) ? 5.0 : 4.0;
-    kind = (covers.z == line) ? 3.0 : kind;
-    kind = (covers.y == line) ? 2.0 : kind;
-    kind = (covers.x == line) ? 1.0 : kind;
+    kind = (covers.z >= least) ? 3.0 : kind;
+    kind = (covers.y >= least) ? 2.0 : kind;
+    kind = (covers.x >= least) ? 1.0 : kind;
     metal::float4 near = metal::select(metal::float4(0.0), nearness, widths > metal::float4(0.0));
     float nearest = metal::max(metal::max(near.x, near.y), near.z);
     return Outline {line, (line > 0.0009765625) ? kind : 0.0, reach - nearest};
