@@ -4,6 +4,7 @@ use chiaro_test_drawing as support;
 
 mod described;
 mod golden;
+mod host_code;
 mod instructions;
 mod readable;
 mod shadow_maps;

@@ -19,6 +19,7 @@ mod glsl_es300;
 mod header;
 mod hlsl;
 mod host;
+pub mod host_code;
 mod language;
 mod modules;
 mod msl;

@@ -1,0 +1,253 @@
+//! Programming languages of host code: how each writes values, operations and statements.
+
+use std::collections::BTreeSet;
+
+/// Language that host code is written in.
+///
+/// A float is 64 bits wide. Vectors and arrays are lists of the language, matrices lists of
+/// columns, structs what the language has for them.
+pub(super) trait Dialect {
+    /// Words that the language has for itself, which no value can be called.
+    fn keywords(&self) -> &'static [&'static str];
+
+    /// A float. The text has to read as the same f64.
+    fn float(&self, value: f64) -> Term;
+
+    /// An integer of 32 bits.
+    fn integer(&self, value: i64, kind: Kind) -> Term;
+
+    /// A truth value.
+    fn truth(&self, value: bool) -> Term;
+
+    /// An operation on scalars; `kind` is that of the operands. Helpers that the text calls are
+    /// told to `helpers`. `None` where the language cannot express the operation.
+    fn scalar(
+        &self,
+        operation: &str,
+        kind: Kind,
+        operands: &[Term],
+        helpers: &mut Helpers,
+    ) -> Option<Term>;
+
+    /// A vector of components, an array of elements or a matrix of columns.
+    fn list(&self, items: &[Term], ty: &ValueType) -> Term;
+
+    /// A list of `count` times the same item.
+    fn repeated(&self, item: &Term, count: usize) -> Term;
+
+    /// A struct from its members in order.
+    fn structure(&self, name: &str, members: &[(String, Term)]) -> Term;
+
+    /// A member of a struct.
+    fn member(&self, base: &Term, name: &str) -> Term {
+        Term::primary(format!("{}.{name}", base.at(Level::Primary)))
+    }
+
+    /// An element of a list.
+    fn element(&self, base: &Term, index: &Term) -> Term {
+        Term::primary(format!("{}[{}]", base.at(Level::Primary), index.text))
+    }
+
+    /// An index computed at run time, as the language takes it for [`element`](Self::element).
+    fn index(&self, index: &Term) -> Term {
+        index.clone()
+    }
+
+    /// A copy of a composite value that changes of the original do not reach.
+    fn copy(&self, value: &Term, ty: &ValueType) -> Term;
+
+    /// Source of a function that runs the scalar operation `body`, an expression of `x`, `y` and
+    /// `z`, on each component of vectors.
+    fn each(&self, name: &str, arity: usize, kinds: [Kind; 2], body: &str) -> String;
+
+    /// Source of the helper function of this name, and the names of those that it calls.
+    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])>;
+
+    /// A type, for languages that write types.
+    fn ty(&self, ty: &ValueType) -> String;
+
+    /// The declaration of a value, or of a variable that is set again.
+    fn declare(&self, name: &str, ty: &ValueType, value: &Term, is_variable: bool) -> String;
+
+    /// An assignment.
+    fn assign(&self, place: &Term, value: &Term) -> String {
+        format!("{} = {}{}", place.text, value.text, self.end())
+    }
+
+    /// End of a statement.
+    fn end(&self) -> &'static str {
+        ";"
+    }
+
+    /// The line that opens a block: `if`, `else`, `while` with a condition, or a function.
+    fn open(&self, head: &Head<'_>) -> String;
+
+    /// The line that closes a block; `None` for languages that indent.
+    fn close(&self) -> Option<&'static str> {
+        Some("}")
+    }
+
+    /// The statement of an empty block, for languages that need one.
+    fn nothing(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// A struct's declaration; empty where the language needs none.
+    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String;
+
+    /// A constant of the module.
+    fn constant(&self, name: &str, ty: &ValueType, value: &Term) -> String;
+
+    /// Lines of a comment about what follows.
+    fn doc(&self, lines: &[String]) -> Vec<String>;
+}
+
+/// Head of a block.
+pub(super) enum Head<'a> {
+    /// Runs where the condition holds.
+    If(&'a Term),
+    /// Runs where no condition before held.
+    Else,
+    /// Runs where no condition before held and this one does.
+    ElseIf(&'a Term),
+    /// Runs again and again while the condition holds.
+    While(&'a Term),
+    /// Runs again and again until it is left.
+    Forever,
+    /// A function with its parameters.
+    Function { name: &'a str, parameters: &'a [(String, ValueType)], result: &'a ValueType },
+}
+
+/// A member of a struct: name, type and comment.
+pub(super) struct MemberSource {
+    pub(super) name: String,
+    pub(super) ty: ValueType,
+    pub(super) doc: Vec<String>,
+}
+
+/// Kind of a scalar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// A float of 64 bits.
+    Float,
+    /// `i32`
+    Signed,
+    /// `u32`
+    Unsigned,
+    /// `bool`
+    Bool,
+}
+
+/// Type of a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum ValueType {
+    /// A single number or truth value.
+    Scalar(Kind),
+    /// Two to four scalars.
+    Vector(usize, Kind),
+    /// Columns and rows of floats.
+    Matrix(usize, usize),
+    /// Elements of one type.
+    Array(usize, Box<ValueType>),
+    /// A struct by its name.
+    Struct(String),
+}
+
+impl ValueType {
+    /// True for types of more than one scalar.
+    pub(super) fn is_composite(&self) -> bool {
+        !matches!(self, Self::Scalar(_))
+    }
+}
+
+/// How strongly the parts of an expression hold together, the strongest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Level {
+    /// A name, a number, a call.
+    Primary,
+    /// `-x`
+    Unary,
+    /// `x * y`
+    Product,
+    /// `x + y`
+    Sum,
+    /// Shifts and operations on bits, which languages order in their own ways.
+    Bits,
+    /// `x < y`
+    Comparison,
+    /// `x && y`
+    And,
+    /// `x || y`
+    Or,
+    /// A choice between two values.
+    Choice,
+}
+
+/// Text of an expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Term {
+    pub(super) text: String,
+    pub(super) level: Level,
+}
+
+impl Term {
+    pub(super) fn new(text: impl Into<String>, level: Level) -> Self {
+        Self { text: text.into(), level }
+    }
+
+    pub(super) fn primary(text: impl Into<String>) -> Self {
+        Self::new(text, Level::Primary)
+    }
+
+    /// The text as an operand where terms of that level and stronger ones need no brackets.
+    pub(super) fn at(&self, level: Level) -> String {
+        if self.level <= level { self.text.clone() } else { format!("({})", self.text) }
+    }
+
+    /// Two operands joined by an operator that groups from the left.
+    pub(super) fn joined(left: &Self, operator: &str, right: &Self, level: Level) -> Self {
+        // What stands at the right needs brackets at the same level; so do comparisons and bits at
+        // either side, which languages group differently.
+        let stronger = match level {
+            Level::Product => Level::Unary,
+            Level::Sum => Level::Product,
+            Level::Bits => Level::Unary,
+            Level::Comparison => Level::Sum,
+            Level::And => Level::And,
+            Level::Or => Level::Or,
+            other => other,
+        };
+        let left_level = match level {
+            Level::Product | Level::Sum | Level::And | Level::Or => level,
+            _ => stronger,
+        };
+        // `a && b || c` reads better with brackets.
+        let left_level = if level == Level::Or { Level::Comparison } else { left_level };
+        let stronger = if level == Level::Or { Level::Comparison } else { stronger };
+        let same = |term: &Self| level == Level::Or && term.level == Level::Or;
+        let side = |term: &Self, at| if same(term) { term.text.clone() } else { term.at(at) };
+        let text = format!("{} {operator} {}", side(left, left_level), side(right, stronger));
+        Self::new(text, level)
+    }
+
+    /// A function called with operands.
+    pub(super) fn call(function: &str, operands: &[Self]) -> Self {
+        let operands: Vec<&str> = operands.iter().map(|term| term.text.as_str()).collect();
+        Self::primary(format!("{function}({})", operands.join(", ")))
+    }
+}
+
+/// Names of the helper functions that a text calls, and the sources of those made for it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Helpers {
+    pub(super) called: BTreeSet<&'static str>,
+    pub(super) made: std::collections::BTreeMap<String, String>,
+}
+
+impl Helpers {
+    /// Notes that the text calls a helper.
+    pub(super) fn call(&mut self, name: &'static str, operands: &[Term]) -> Term {
+        self.called.insert(name);
+        Term::call(name, operands)
+    }
+}

@@ -1,0 +1,65 @@
+//! Host work as code: functions of WGSL in the languages of programs that draw.
+//!
+//! What a program computes before it draws (`prepare` of nodes, lights in their frames, keys) is
+//! written once, in WGSL. [`translate`] writes it in another language, from naga's IR: names,
+//! comments and structure stay, floats become 64 bits wide, and constants are read at that width as
+//! [`interp`](crate::interp) reads them. A language is a file and a row of [`HOST_LANGUAGES`].
+
+mod dialect;
+mod expressions;
+mod function;
+mod javascript;
+mod module;
+mod names;
+mod types;
+mod uses;
+
+use crate::diag::Diagnostic;
+use crate::interp::Literals;
+use crate::wgsl;
+
+/// Language that host code is written in.
+pub struct HostLanguage {
+    /// Name of the language in files and options.
+    pub slug: &'static str,
+    /// Name of the language for people.
+    pub label: &'static str,
+    dialect: &'static (dyn dialect::Dialect + Sync),
+}
+
+impl std::fmt::Debug for HostLanguage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.label)
+    }
+}
+
+/// JavaScript.
+pub const JAVASCRIPT: HostLanguage =
+    HostLanguage { slug: "javascript", label: "JavaScript", dialect: &javascript::JavaScript };
+
+/// All languages of host code.
+pub const HOST_LANGUAGES: [&HostLanguage; 1] = [&JAVASCRIPT];
+
+/// Functions of a WGSL source by their names, with all that they call, in a language.
+///
+/// # Errors
+/// - `host-code`: the source is no WGSL, or uses what the language cannot express: textures,
+///   pointers among parameters, derivatives. The message names the function.
+pub fn translate(
+    source: &str,
+    functions: &[&str],
+    language: &HostLanguage,
+) -> Result<String, Diagnostic> {
+    let valid = wgsl::parse(source).map_err(|error| {
+        Diagnostic::error("host-code", format!("functions for the host are no WGSL: {error}"))
+    })?;
+    let literals = Literals::of(source);
+    module::write(&valid, &literals, functions, language.dialect).map_err(|(function, refusal)| {
+        let message = format!(
+            "the function `{function}` uses {}, which host code in {} cannot express",
+            refusal.0, language.label
+        );
+        Diagnostic::error("host-code", message)
+            .hint("wire the value by other nodes, or let it be computed per fragment")
+    })
+}

@@ -1,0 +1,213 @@
+//! Host code in each language computes what the interpreter computes: every function of the library
+//! that a language takes, run by the language's own program.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::process::Command;
+
+use serde_json::Value as Json;
+
+use crate::support::random::Random;
+use crate::support::validators::tools_are_required;
+use chiaro::export::host_code::{JAVASCRIPT, translate};
+use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
+use chiaro::library::Library;
+
+/// Number of argument lists that each function is tried with.
+const TRIES: usize = 12;
+
+/// Relative difference that is rounding: functions of the language's own library differ in the
+/// last digits, and cancellation makes more of that.
+const TOLERANCE: f64 = 1e-6;
+
+/// A value of a shape. Numbers are of the size that shading has, with whole and round ones among
+/// them.
+fn value(shape: &Shape, random: &mut Random) -> Value {
+    let scalar = |kind: ScalarKind, random: &mut Random| match kind {
+        ScalarKind::Bool => Value::Bool(random.chance(0.5)),
+        ScalarKind::I32 => Value::I32(random.index(9) as i32 - 2),
+        ScalarKind::U32 => Value::U32(random.index(9) as u32),
+        ScalarKind::Float => Value::Float(match random.index(4) {
+            0 => *random.pick(&[0.0, 0.25, 0.5, 1.0, 2.0, -1.0]),
+            1 => random.between(-3.0, 3.0),
+            _ => random.unit(),
+        }),
+    };
+    match shape {
+        Shape::Scalar(kind) => scalar(*kind, random),
+        Shape::Vector { kind, size } => {
+            Value::Vector((0..*size).filter_map(|_| scalar(*kind, random).as_scalar()).collect())
+        }
+        Shape::Matrix { columns, rows } => Value::Matrix {
+            columns: *columns,
+            components: (0..columns * rows).map(|_| random.between(-1.0, 1.0)).collect(),
+        },
+        Shape::Array { element, count } => {
+            Value::Array((0..*count).map(|_| value(element, random)).collect())
+        }
+        Shape::Struct { members, .. } => {
+            Value::Struct(members.iter().map(|(_, shape)| value(shape, random)).collect())
+        }
+    }
+}
+
+/// A value as JavaScript.
+fn javascript(shape: &Shape, value: &Value) -> String {
+    let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
+    let number = |x: f64| format!("{x:?}");
+    match (shape, value) {
+        (Shape::Struct { members, .. }, Value::Struct(parts)) => {
+            let member = |((name, shape), part): (&(String, Shape), &Value)| {
+                format!("{name}: {}", javascript(shape, part))
+            };
+            let parts: Vec<String> = members.iter().zip(parts).map(member).collect();
+            format!("{{ {} }}", parts.join(", "))
+        }
+        (Shape::Array { element, .. }, Value::Array(parts)) => {
+            list(parts.iter().map(|part| javascript(element, part)).collect())
+        }
+        (Shape::Matrix { rows, .. }, Value::Matrix { components, .. }) => {
+            let column = |column: &[f64]| list(column.iter().map(|x| number(*x)).collect());
+            list(components.chunks(*rows).map(column).collect())
+        }
+        (Shape::Vector { kind, .. }, Value::Vector(scalars)) => {
+            let scalar = |x: f64| match kind {
+                ScalarKind::Bool => (x != 0.0).to_string(),
+                _ => number(x),
+            };
+            list(scalars.iter().map(|it| scalar(it.as_f64())).collect())
+        }
+        (_, Value::Bool(x)) => x.to_string(),
+        (_, value) => number(value.as_f64().unwrap_or(f64::NAN)),
+    }
+}
+
+/// The scalars of a value in order.
+fn scalars(value: &Value, into: &mut Vec<f64>) {
+    match value.parts() {
+        Some(parts) => parts.iter().for_each(|part| scalars(part, into)),
+        None => into.extend(value.components().unwrap_or_default()),
+    }
+}
+
+/// Functions of the library: name, text, arguments as text and what the interpreter gives.
+struct Case {
+    function: String,
+    text: String,
+    calls: Vec<(Vec<String>, Vec<f64>)>,
+}
+
+fn cases() -> (Vec<Case>, BTreeMap<String, String>) {
+    let (mut cases, mut refused) = (Vec::new(), BTreeMap::new());
+    let mut known = std::collections::BTreeSet::new();
+    let mut random = Random::new(24);
+    for definition in Library::built_in().nodes.values() {
+        for first in &definition.variants {
+            let Ok((valid, literals)) = definition.module.read(&first.function) else { continue };
+            for (_, function) in valid.module.functions.iter() {
+                let Some(name) = function.name.clone().filter(|name| known.insert(name.clone()))
+                else {
+                    continue;
+                };
+                let options =
+                    FunctionOptions { literals: Some(literals), ..FunctionOptions::default() };
+                let Ok(program) = Program::compile(&valid.module, &name, options) else { continue };
+                let text = match translate(literals.source(), &[&name], &JAVASCRIPT) {
+                    Ok(text) => text,
+                    Err(problem) => {
+                        refused.insert(name, problem.message);
+                        continue;
+                    }
+                };
+                let mut calls = Vec::new();
+                for _ in 0..TRIES {
+                    let arguments: Vec<Value> = program
+                        .parameters()
+                        .iter()
+                        .map(|parameter| value(&parameter.shape, &mut random))
+                        .collect();
+                    let Ok(result) = program.call(&arguments, Precision::F64) else { continue };
+                    let mut wanted = Vec::new();
+                    scalars(&result, &mut wanted);
+                    let written = program.parameters().iter().zip(&arguments);
+                    let written = written.map(|(it, value)| javascript(&it.shape, value)).collect();
+                    calls.push((written, wanted));
+                }
+                cases.push(Case { function: name, text, calls });
+            }
+        }
+    }
+    (cases, refused)
+}
+
+/// Lines of JavaScript that run all cases and print the results as JSON: a list of lists of numbers
+/// for each function, null for what is no number.
+fn program(cases: &[Case]) -> String {
+    let mut text = "const flat = (x) => typeof x === 'object' ? Object.values(x).flatMap(flat) \
+                    : [Number(x)];\nconst results = [];\n"
+        .to_owned();
+    for case in cases {
+        let _ = writeln!(text, "results.push((() => {{\n{}\nreturn [", case.text);
+        for (arguments, _) in &case.calls {
+            let _ = writeln!(text, "flat({}({})),", case.function, arguments.join(", "));
+        }
+        text += "];\n})());\n";
+    }
+    text + "console.log(JSON.stringify(results));\n"
+}
+
+/// True if two numbers are the same but for rounding; what is no number may be any.
+fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
+    match found {
+        Some(found) => (wanted - found).abs() <= TOLERANCE * scale.max(1.0),
+        None => !wanted.is_finite(),
+    }
+}
+
+#[test]
+fn javascript_computes_what_the_interpreter_does() {
+    let (cases, refused) = cases();
+    assert!(cases.len() > 300, "{} functions are tried", cases.len());
+    let allowed = ["pointer", "texture", "Image", "Derivative", "a parameter's type"];
+    let unexpected: Vec<_> = refused
+        .iter()
+        .filter(|(_, reason)| !allowed.iter().any(|word| reason.contains(word)))
+        .collect();
+    assert!(unexpected.is_empty(), "{unexpected:#?}");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("cases.mjs");
+    std::fs::write(&file, program(&cases)).expect("a temporary file");
+    let Ok(output) = Command::new("node").arg(&file).output() else {
+        assert!(!tools_are_required(), "node is missing: run scripts/setup");
+        return;
+    };
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}", &said[..said.len().min(4000)]);
+    let results: Vec<Vec<Vec<Option<f64>>>> = serde_json::from_slice::<Json>(&output.stdout)
+        .and_then(serde_json::from_value)
+        .expect("lists of numbers");
+    let mut wrong = Vec::new();
+    for (case, results) in cases.iter().zip(&results) {
+        for ((arguments, wanted), found) in case.calls.iter().zip(results) {
+            let scale =
+                wanted.iter().filter(|x| x.is_finite()).fold(0.0_f64, |a, x| a.max(x.abs()));
+            let is_same = wanted.len() == found.len()
+                && wanted.iter().zip(found).all(|(wanted, found)| agree(*wanted, *found, scale));
+            if !is_same {
+                wrong.push(format!(
+                    "{}({}): {found:?} and not {wanted:?}\n{}",
+                    case.function,
+                    arguments.join(", "),
+                    case.text
+                ));
+                break;
+            }
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "{} functions differ\n{}",
+        wrong.len(),
+        wrong[..wrong.len().min(6)].join("\n")
+    );
+}
