@@ -237,7 +237,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         Command::Accuracy(arguments) => accuracy::run(arguments, output).await,
         #[cfg(feature = "gpu")]
         Command::Gallery(arguments) => gallery::run(arguments, output).await,
-        Command::Export(arguments) => export::run(arguments, output),
+        Command::Export(arguments) => export::run(arguments, output).await,
         Command::Hcbtf(arguments) => hcbtf::run(arguments, output).await,
         Command::Desktop(arguments) => desktop::run(arguments, output),
     };

@@ -96,7 +96,7 @@ pub(super) struct Arguments {
 
 /// Executor of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum ExecutorChoice {
+pub(super) enum ExecutorChoice {
     Gpu,
     Reference,
 }
@@ -227,7 +227,7 @@ pub(super) fn size_of(asked: Option<&Size>, camera: &Camera) -> [u32; 2] {
 }
 
 /// The executor: a GPU if there is one and the reference was not asked for, else the reference.
-async fn executor(
+pub(super) async fn executor(
     on: Option<ExecutorChoice>,
     output: &Output,
 ) -> Result<Box<dyn Executor>, Diagnostic> {

@@ -6,6 +6,7 @@ use faer::{Col, Mat, Side};
 use glam::DVec3;
 
 use super::kernel::Kernel;
+use super::weights::{SolvedKernel, SumKernel};
 
 /// Greatest error of a raw weight at the keys, where its own key asks for 1 and the others for 0.
 /// The smoothstep is flat there, so 3 TOLERANCE^2 of the error is left.
@@ -58,6 +59,17 @@ impl ClosedForm {
             coefficients: (0..n * n).map(|at| coefficients[(at / n, at % n)]).collect(),
         };
         (solved.interpolation_error() < TOLERANCE).then_some(solved)
+    }
+
+    /// The function as numbers.
+    pub(super) fn solved(&self) -> SolvedKernel {
+        let kernel = match self.kernel {
+            Kernel::Biharmonic => SumKernel::Biharmonic,
+            Kernel::AppendixB => SumKernel::AppendixB,
+            Kernel::Distance => SumKernel::Distance,
+        };
+        let (constants, coefficients) = (self.constants.clone(), self.coefficients.clone());
+        SolvedKernel::Sum { kernel, constants, coefficients }
     }
 
     /// The raw weights at a unit direction, one per center. Raw weights sum to 1, but may leave [0,

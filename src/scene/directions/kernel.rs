@@ -103,6 +103,13 @@ fn horner(coefficients: &[f64], x: f64) -> f64 {
 /// Number of terms of the hypergeometric series: the next term, at 1/2, is below 1e-18.
 const TERMS: usize = 54;
 
+/// Numbers of the kernel of Appendix B, for programs that evaluate it without Chiaro: the terms
+/// without and with the digamma function, the factor of the far series, and the value at 0.
+pub fn appendix_b_series() -> ([&'static [f64]; 2], [f64; 2]) {
+    let kernel = &*APPENDIX_B;
+    ([&kernel.series, &kernel.with_psi], [kernel.factor, kernel.at_zero])
+}
+
 static APPENDIX_B: LazyLock<AppendixB> = LazyLock::new(AppendixB::new);
 
 /// Series of `[1 + ln y - pi / sin(nu pi) 2F1(-nu, nu+1; 1; 1-y)] / 4` with nu (nu+1) = 4/3.

@@ -26,6 +26,7 @@ mod weights;
 
 pub use blend::{blend_direction, blend_number, blend_vector};
 pub use tessellated::Tessellation;
-pub use weights::KeyWeights;
+pub use kernel::appendix_b_series;
+pub use weights::{KeyWeights, SolvedKernel, SolvedWeights, SumKernel};
 
 pub use keys::{CLOSE_ANGLE, MAX_KEYS, MERGE_ANGLE};

@@ -31,6 +31,49 @@ pub struct KeyWeights {
     space: Space,
 }
 
+/// Weights of keys as numbers: what [`KeyWeights`] evaluates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolvedWeights {
+    /// Function of the distances to the centers.
+    pub kernel: SolvedKernel,
+    /// Unit directions of the groups of keys, or their places within a cube of side 1.
+    pub centers: Vec<DVec3>,
+    /// Group of each key, which it shares evenly with the others of the group; `None` for a key
+    /// without weight.
+    pub groups: Vec<Option<usize>>,
+    /// Origin and scale that bring the values of drivers into the cube; `None` for directions.
+    pub places: Option<[DVec3; 2]>,
+}
+
+/// Raw weights of groups as a function of the distances to their centers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolvedKernel {
+    /// All weight to the only group, if there is one.
+    Whole,
+    /// Inverse squares of the distances, brought to a sum of 1.
+    InverseDistance,
+    /// A constant and a sum of kernels for each group.
+    Sum {
+        /// Kernel at a squared chord, and for directions at the squared chord to the antipode.
+        kernel: SumKernel,
+        /// Constant of each group.
+        constants: Vec<f64>,
+        /// Coefficients, those of a center's kernel in a row, one for each group.
+        coefficients: Vec<f64>,
+    },
+}
+
+/// Kernel of a sum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SumKernel {
+    /// Green's function of the squared Laplacian of the sphere (docs/math.md 5).
+    Biharmonic,
+    /// Green's function of the BADF paper's Appendix B.
+    AppendixB,
+    /// Minus the distance in space.
+    Distance,
+}
+
 /// Space that the keys lie in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Space {
@@ -103,6 +146,27 @@ impl KeyWeights {
             meshed(tessellation, &set, &mut diagnostics)
         };
         WithWarnings::new(Self { set, field, space: Space::Sphere }, diagnostics)
+    }
+
+    /// The solved weights as numbers, for programs that evaluate them without Chiaro; `None` for
+    /// weights on a mesh.
+    pub fn solved(&self) -> Option<SolvedWeights> {
+        let kernel = match &self.field {
+            WeightFunction::Whole => SolvedKernel::Whole,
+            WeightFunction::Closed(closed) => closed.solved(),
+            WeightFunction::InverseDistance => SolvedKernel::InverseDistance,
+            WeightFunction::Mesh(_) => return None,
+        };
+        let group = |&group: &u32| (group != NO_GROUP).then_some(group as usize);
+        Some(SolvedWeights {
+            kernel,
+            centers: self.set.centers.clone(),
+            groups: self.set.group_of.iter().map(group).collect(),
+            places: match self.space {
+                Space::Sphere => None,
+                Space::Places { origin, scale } => Some([origin, scale]),
+            },
+        })
     }
 
     /// The number of keys, which is also the number of weights.

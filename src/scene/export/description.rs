@@ -14,7 +14,6 @@ use serde_json::{Map, Value, json};
 use super::exposed::Parameters;
 use super::language::Language;
 use super::modules::{Modules, ShaderModule};
-use super::pretty::pretty;
 use super::reflect::BoundVariable;
 use super::{exposed, host};
 use crate::compile::{ParamId, TierReason, TypedGraph};
@@ -163,14 +162,14 @@ pub struct LanguageDescription<'a> {
     pub modules: Vec<&'a LanguageModule>,
 }
 
-/// Writes the description.
-pub(super) fn describe(
+/// The description.
+pub(super) fn description(
     look: &Look,
     library: &Library,
     typed: &TypedGraph,
     found: &Modules,
     written: &[(&'static Language, LanguageModule)],
-) -> String {
+) -> Description {
     let parameters = exposed::parameters(look, library, typed, found);
     let modules: Vec<_> =
         found.modules.iter().map(|module| describe_module(module, &parameters.index)).collect();
@@ -178,7 +177,7 @@ pub(super) fn describe(
     for light in &mut lights {
         light.members = members_of(light, &modules);
     }
-    let description = Description {
+    Description {
         look: look.name.clone(),
         chiaro: env!("CARGO_PKG_VERSION"),
         format: FORMAT,
@@ -192,8 +191,7 @@ pub(super) fn describe(
         images: found.images.clone(),
         direction_keys: look.direction_keys.iter().map(direction_keys).collect(),
         time_keys: look.time_keys.clone(),
-    };
-    pretty(&json!(description))
+    }
 }
 
 /// A pass with the parameter that decides about the sides of its meshes.

@@ -61,9 +61,9 @@ fn is_description(path: &Path) -> bool {
 
 fn describes(text: &[u8]) -> bool {
     let Ok(Value::Object(members)) = serde_json::from_slice(text) else { return false };
-    ["chiaro", "format", "passes", "modules", "languages"]
-        .iter()
-        .all(|name| members.contains_key(*name))
+    let has_all = |names: &[&str]| names.iter().all(|name| members.contains_key(*name));
+    has_all(&["chiaro", "format", "passes", "modules", "languages"])
+        || has_all(&["chiaro", "package", "tiers", "files"])
 }
 
 /// Writes all files into a folder, which is made if there is none; or no file, where one of them

@@ -23,7 +23,9 @@ pub mod host_code;
 mod language;
 mod modules;
 mod msl;
+pub mod package;
 mod pretty;
+mod program;
 mod readable;
 mod reflect;
 mod spirv;
@@ -32,6 +34,8 @@ mod tiers;
 mod wgsl;
 
 use std::path::Path;
+
+use serde_json::json;
 
 use crate::compile::check;
 use crate::diag::{Diagnostic, WithWarnings};
@@ -158,9 +162,9 @@ pub fn export(
     if !problems.is_empty() {
         return Err(problems);
     }
-    let description = description::describe(look, library, &typed, &modules, &written);
+    let description = description::description(look, library, &typed, &modules, &written);
     files.extend(modules.prepare_files());
-    files.push(ExportFile::text(format!("{stem}.json"), description));
+    files.push(ExportFile::text(format!("{stem}.json"), pretty::pretty(&json!(description))));
     files.extend(carried);
     Ok(WithWarnings::new(files, warnings))
 }

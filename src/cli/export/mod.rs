@@ -12,6 +12,9 @@ use super::tier::{self, TierChoice};
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
 use chiaro_scene::export;
+use chiaro_scene::export::package::package;
+
+mod package;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -20,6 +23,7 @@ Examples:
   chiaro export look.json --to wgsl,spirv,hlsl -o shaders/
   chiaro export look.json --to all -o shaders/
   chiaro export look.json --to hlsl --tier auto -o shaders/
+  chiaro export look.json --to web -o page/ --mesh shape:creature
 
 Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
 file with
@@ -33,8 +37,8 @@ for it runs in Chiaro's tests, and its files say so.";
 pub(super) struct Arguments {
     /// A look
     look: PathBuf,
-    /// Languages, joined by commas, or `all`
-    #[arg(long, value_name = "LANG[,LANG]|all", required = true, value_delimiter = ',')]
+    /// Languages, joined by commas, or `all`; or a package, which runs where it arrives
+    #[arg(long, value_name = "LANG[,LANG]|all|PACKAGE", required = true, value_delimiter = ',')]
     to: Vec<String>,
     /// The folder for the files; made where there is none
     #[arg(short, long)]
@@ -44,6 +48,10 @@ pub(super) struct Arguments {
     /// without it
     #[arg(long, value_parser = tier::parse)]
     tier: Option<TierChoice>,
+    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) that a package shows the
+    /// look on
+    #[arg(short, long)]
+    mesh: Option<String>,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -55,7 +63,16 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    if let [slug] = &arguments.to[..]
+        && let Some(package) = package(slug.trim())
+    {
+        return package::run(arguments, package, output).await;
+    }
+    if arguments.mesh.is_some() {
+        let problem = Diagnostic::error("bad-argument", "--mesh is for packages");
+        return Err(vec![problem.hint("languages are for any mesh: leave it out")]);
+    }
     let languages = export::languages(arguments.to.iter().map(String::as_str))?;
     if arguments.output.is_none() && languages.iter().any(|language| language.slug != "wgsl") {
         let problem =

@@ -1,0 +1,128 @@
+//! `chiaro export --to PACKAGE`: a folder that runs where it arrives.
+
+use std::path::Path;
+
+use serde_json::json;
+
+use super::super::output::Output;
+use super::super::render::{executor, size_of};
+use super::super::target::outputs;
+use super::Arguments;
+use crate::diag::Diagnostic;
+use crate::document::Document;
+use crate::frame::{Assets, PlanOptions, PlanStyle, Setup, open};
+use crate::library::Library;
+use chiaro_scene::export::package::{EXPECTED, Package, PackageScene, export_package};
+use chiaro_scene::export::{self, ExportFile};
+
+use super::super::open::{check_nodes_folder, library_for, not_a_look};
+use super::super::tier::{self, TierChoice};
+
+/// Width and height of the picture that a package is expected to show.
+const EXPECTED_SIZE: [u32; 2] = [800, 800];
+
+/// Samples a pixel of that picture.
+const EXPECTED_SAMPLES: u32 = 4;
+
+/// Exports a look as a package.
+pub(super) async fn run(
+    arguments: &Arguments,
+    package: &Package,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let Some(folder) = arguments.output.as_ref().map(AsRef::as_ref) else {
+        let problem = Diagnostic::error("bad-argument", "a package is a folder");
+        return Err(vec![problem.hint(format!("name one for it: -o {}/", package.slug))]);
+    };
+    super::check_folder(folder).map_err(|problem| vec![problem])?;
+    check_nodes_folder(arguments.nodes.as_deref())?;
+    let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
+    output.diagnostics(&library.problems);
+    if let Document::Scene(scene) = Document::load(&crate::files::Disk, &arguments.look) {
+        return Err(vec![not_a_look(&arguments.look, scene.value.as_ref())]);
+    }
+    let mut assets = Assets::default();
+    let opened = open(&arguments.look, arguments.mesh.as_deref(), &mut assets)?;
+    let (mut setup, warnings) = opened.into_parts();
+    output.diagnostics(&warnings);
+    take_tier(arguments, &mut setup, &mut library, output);
+    let worn = &setup.looks[0];
+    let stem = arguments
+        .look
+        .file_stem()
+        .map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let located = |mut problems: Vec<Diagnostic>| {
+        worn.source.locate_all(&mut problems);
+        problems
+    };
+    let place = (worn.folder.as_path(), &mut assets);
+    let scene = scene_of(&setup);
+    let exported = export_package(&worn.look, &library, &stem, package, &scene, place);
+    let exported = exported.map_err(located)?;
+    output.diagnostics(&located(exported.warnings));
+    let mut files = exported.value;
+    files.push(expected(&setup, &library, assets, output).await?);
+    let read = [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten();
+    let mut outputs = outputs(arguments.force, read);
+    let written = export::write(&files, folder, &mut outputs)?;
+    let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
+    let opens = package.opens.map(|name| folder.join(name).display().to_string());
+    if arguments.json {
+        let tiers = tier::counts(&worn.look, &library);
+        output.json(&json!({
+            "files": names, "package": package.slug, "opens": opens, "tiers": tiers,
+        }));
+    } else {
+        names.iter().for_each(|file| output.result(file));
+        tier::told(&worn.look, &library).iter().for_each(|told| output.message(told));
+        if let Some(opens) = opens {
+            output.message(&format!("open {opens}"));
+        }
+    }
+    Ok(())
+}
+
+/// Takes the tier that `--tier` asks for.
+fn take_tier(arguments: &Arguments, setup: &mut Setup, library: &mut Library, output: &Output) {
+    let Some(tier) = arguments.tier else { return };
+    for worn in &mut setup.looks {
+        tier::set_every_tier(&mut worn.look, library, tier);
+        if tier == TierChoice::Automatic {
+            let mut told = export::take_carried_tiers(&mut worn.look, library);
+            worn.source.locate_all(&mut told);
+            output.diagnostics(&told);
+        }
+    }
+}
+
+/// The scene of a look that was opened: its mesh before the default camera.
+pub(super) fn scene_of(setup: &Setup) -> PackageScene {
+    let object = &setup.objects[0];
+    PackageScene {
+        mesh: object.mesh.clone(),
+        world_from_object: object.world_from_object,
+        camera: setup.scene.camera.clone(),
+        backdrop: setup.scene.backdrop.map(|color| [color[0], color[1], color[2]]),
+    }
+}
+
+/// The picture that the package is expected to show.
+async fn expected(
+    setup: &Setup,
+    library: &Library,
+    assets: Assets,
+    output: &Output,
+) -> Result<ExportFile, Vec<Diagnostic>> {
+    let one = |problem: Diagnostic| vec![problem];
+    let style = PlanStyle::Specialized;
+    let mut planner = style.planner(assets);
+    let options = PlanOptions { size: EXPECTED_SIZE, samples: EXPECTED_SAMPLES, time: 0.0 };
+    let plan = planner.plan(setup, library, &style.live(), &options)?.value;
+    let mut executor = executor(None, output).await.map_err(one)?;
+    let picture = output
+        .watch_async("drawing", async |progress| executor.picture(&plan, progress).await)
+        .await
+        .map_err(one)?;
+    let bytes = picture.to_png().map_err(one)?;
+    Ok(ExportFile { name: EXPECTED.to_owned(), bytes })
+}

@@ -1,0 +1,171 @@
+//! Packages: folders that run where they arrive, with the look's shaders, host work, textures and
+//! what shows them.
+//!
+//! A package is a folder of this module and a line of [`PACKAGES`]. What packages share is made
+//! once: `javascript` writes a look's shaders, bindings and host work as one object that their
+//! players read.
+
+mod babylon;
+mod javascript;
+mod three;
+mod web;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::DMat4;
+use serde_json::json;
+
+use super::description::{self, Description};
+use super::pretty::pretty;
+use super::{ExportFile, LANGUAGES, exposed, header, modules, program, textures};
+use crate::compile::check;
+use crate::diag::{Diagnostic, WithWarnings};
+use crate::document::{Camera, Look};
+use crate::frame::Assets;
+use crate::geometry::Mesh;
+use crate::library::Library;
+
+/// A package that looks are exported to.
+#[derive(Debug)]
+pub struct Package {
+    /// Name of the package for `--to`.
+    pub slug: &'static str,
+    /// Name of the package for people.
+    pub label: &'static str,
+    /// What the package is: a sentence.
+    pub help: &'static str,
+    /// File to open after an export, where there is one.
+    pub opens: Option<&'static str>,
+    write: fn(&PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>>,
+}
+
+/// All packages, in the order in which the window lists them.
+pub const PACKAGES: [&Package; 3] = [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE];
+
+/// The scene that a package shows the look in.
+#[derive(Clone, Debug)]
+pub struct PackageScene {
+    /// Mesh that wears the look.
+    pub mesh: Arc<Mesh>,
+    /// Matrix from the mesh to the world.
+    pub world_from_object: DMat4,
+    /// Camera of the first view.
+    pub camera: Camera,
+    /// Color behind the mesh, straight RGB as shown; `None` for none.
+    pub backdrop: Option<[f64; 3]>,
+}
+
+/// A request to write a package.
+pub(super) struct PackageRequest<'a> {
+    /// Name of the look, fit for a comment.
+    pub(super) title: &'a str,
+    /// Beginning of file names.
+    pub(super) stem: &'a str,
+    /// The look in JavaScript: an expression whose value is the object `look`.
+    pub(super) javascript: &'a str,
+    /// Description of the look.
+    pub(super) description: &'a Description,
+    /// Images and HCBTFs that the look reads.
+    pub(super) textures: &'a [ExportFile],
+    /// Scene that shows the look.
+    pub(super) scene: &'a PackageScene,
+}
+
+impl PackageRequest<'_> {
+    /// The look as a classic script, which declares `look`: a page that is opened from a file
+    /// cannot import modules.
+    fn script(&self) -> ExportFile {
+        self.javascript_file("const look = ")
+    }
+
+    /// The look as an ES module, which exports `look`.
+    fn module(&self) -> ExportFile {
+        self.javascript_file("export const look = ")
+    }
+
+    fn javascript_file(&self, declaration: &str) -> ExportFile {
+        let lines = [
+            format!("{}: made by Chiaro {}, JavaScript.", self.title, env!("CARGO_PKG_VERSION")),
+            "Shaders, parameters, lights, passes and host work of the look.".to_owned(),
+        ];
+        let text = format!("{}\n{declaration}{};\n", header::comment(&lines), self.javascript);
+        ExportFile::text(format!("{}.js", self.stem), text)
+    }
+}
+
+/// The package that `chiaro export --to` calls `slug`.
+pub fn package(slug: &str) -> Option<&'static Package> {
+    PACKAGES.into_iter().find(|package| package.slug == slug)
+}
+
+/// Exports `look` as a package whose files' names begin with `stem`. Images and HCBTFs that the look
+/// reads, whose paths are relative to `folder`, are read with `assets`. Returns the files to write;
+/// no two have the same name.
+///
+/// # Errors
+/// All errors of the look; constructs that the package's languages or its host code cannot express;
+/// what the package cannot show, with the reason and what helps.
+pub fn export_package(
+    look: &Look,
+    library: &Library,
+    stem: &str,
+    package: &Package,
+    scene: &PackageScene,
+    (folder, assets): (&Path, &mut Assets),
+) -> Result<WithWarnings<Vec<ExportFile>>, Vec<Diagnostic>> {
+    let (typed, mut warnings) = check(look, library, None)?.into_parts();
+    let mut modules = modules::compile(&typed, stem)?;
+    let carried = textures::carried(&mut modules.images, stem, folder, assets).tell(&mut warnings);
+    let mut written = Vec::new();
+    let mut sources = Vec::new();
+    let mut problems = Vec::new();
+    for language in LANGUAGES.into_iter().filter(|it| javascript::LANGUAGES.contains(&it.slug)) {
+        for module in &modules.modules {
+            match language.write(module, &modules.title, stem) {
+                Ok(found) => {
+                    sources.push((language.slug, module.name, found.files));
+                    written.push((language, found.described));
+                }
+                Err(problem) => problems.push(problem),
+            }
+        }
+    }
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let parameters = exposed::parameters(look, library, &typed, &modules);
+    let one = |problem: Diagnostic| vec![problem];
+    let work = program::build(look, &typed, &modules, &parameters).map_err(one)?;
+    let description = description::description(look, library, &typed, &modules, &written);
+    let javascript = javascript::write(look, &description, &work, &sources).map_err(one)?;
+    let request = PackageRequest {
+        title: &modules.title,
+        stem,
+        javascript: &javascript,
+        description: &description,
+        textures: &carried,
+        scene,
+    };
+    let mut files = (package.write)(&request)?;
+    files.push(manifest(&request, package, &files));
+    Ok(WithWarnings::new(files, warnings))
+}
+
+/// The list of a package's files, by which the next export knows them as its own.
+fn manifest(request: &PackageRequest<'_>, package: &Package, files: &[ExportFile]) -> ExportFile {
+    let mut names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    names.push(EXPECTED);
+    let description = request.description;
+    let text = pretty(&json!({
+        "look": description.look,
+        "chiaro": description.chiaro,
+        "package": package.slug,
+        "tiers": description.tiers,
+        "files": names,
+    }));
+    ExportFile::text("chiaro.json".to_owned(), text)
+}
+
+/// Name of the picture that a package is expected to show.
+pub const EXPECTED: &str = "expected.png";

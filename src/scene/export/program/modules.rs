@@ -1,0 +1,264 @@
+//! The numbers of a module's `Look` uniform.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+
+use naga::{ArraySize, Handle, ScalarKind, TypeInner};
+
+use super::super::modules::{Host, ShaderModule};
+use super::literal::literal;
+use super::settings::{Settings, light_value, surrounding};
+use super::{ModuleNumbers, identifier, problem};
+use crate::compile::{HostStep, UniformMember};
+use crate::diag::Diagnostic;
+use crate::ids::LightId;
+use crate::interp;
+use crate::wgsl::{self, ValidModule};
+
+/// Writes the function of a module; `None` where the module has no `Look` uniform.
+pub(super) fn write(
+    module: &ShaderModule,
+    settings: &Settings,
+    text: &mut String,
+) -> Result<Option<ModuleNumbers>, Diagnostic> {
+    let Some(host) = module.host().filter(|host| host.shader.host.size > 0) else {
+        return Ok(None);
+    };
+    let words = host.shader.host.size as usize / 4;
+    let function = identifier(&format!("{}_numbers", module.name), &[]);
+    let wanted = host.shader.host.members.iter().map(|member| member.step);
+    let mut steps = Steps::new(host, settings);
+    let mut body = steps.write(wanted)?;
+    let module_of_look = &host.shader.valid.module;
+    let mut writer =
+        WordWriter { module: module_of_look, text: String::new(), integers: Vec::new() };
+    for member in &host.shader.host.members {
+        let mut value = steps.name(member.step);
+        if member.ty == crate::library::Type::Bool {
+            value = format!("select(0u, 1u, {value})");
+        }
+        writer.write(member.offset, type_of(host, member)?, &value)?;
+    }
+    let _ = write!(body, "    var numbers: array<f32, {words}>;\n{}", writer.text);
+    let _ = write!(
+        text,
+        "/// Numbers of the uniform of `{}`, one for each four bytes.\n\
+         fn {function}(settings: Settings, around: Surroundings) -> array<f32, {words}> {{\n\
+         {body}    return numbers;\n}}\n\n",
+        module.name
+    );
+    Ok(Some(ModuleNumbers { module: module.name, function, words, integers: writer.integers }))
+}
+
+/// Type of a member in the shader's uniform.
+fn type_of(host: &Host, member: &UniformMember) -> Result<Handle<naga::Type>, Diagnostic> {
+    let module = &host.shader.valid.module;
+    let lost = || problem(format!("the member `{}` has no place", member.name));
+    let (look, _) = module
+        .types
+        .iter()
+        .find(|(_, ty)| ty.name.as_deref() == Some("Look"))
+        .ok_or_else(lost)?;
+    let named = |ty: Handle<naga::Type>, name: &str| match &module.types[ty].inner {
+        TypeInner::Struct { members, .. } => {
+            members.iter().find(|it| it.name.as_deref() == Some(name)).map(|it| it.ty)
+        }
+        _ => None,
+    };
+    let found = match &member.place {
+        None => named(look, &member.name),
+        Some(place) => named(look, &place.array).and_then(|array| {
+            let TypeInner::Array { base, .. } = module.types[array].inner else { return None };
+            named(base, &place.field)
+        }),
+    };
+    found.ok_or_else(lost)
+}
+
+/// Writer of the words of values.
+struct WordWriter<'a> {
+    module: &'a naga::Module,
+    text: String,
+    integers: Vec<usize>,
+}
+
+impl WordWriter<'_> {
+    /// Writes a value of a type at a byte.
+    fn write(&mut self, at: u32, ty: Handle<naga::Type>, value: &str) -> Result<(), Diagnostic> {
+        let module = self.module;
+        match &module.types[ty].inner {
+            TypeInner::Scalar(scalar) => self.word(at, value, scalar.kind),
+            TypeInner::Vector { size, scalar } => {
+                for (index, axis) in (0_u32..).zip(&["x", "y", "z", "w"][..*size as usize]) {
+                    self.word(at + 4 * index, &format!("{value}.{axis}"), scalar.kind);
+                }
+            }
+            TypeInner::Matrix { columns, rows, scalar } => {
+                let stride = if *rows as u32 == 2 { 8 } else { 16 };
+                for column in 0..*columns as u32 {
+                    for (row, axis) in (0_u32..).zip(&["x", "y", "z", "w"][..*rows as usize]) {
+                        let at = at + column * stride + 4 * row;
+                        self.word(at, &format!("{value}[{column}].{axis}"), scalar.kind);
+                    }
+                }
+            }
+            TypeInner::Array { base, size: ArraySize::Constant(count), stride } => {
+                for index in 0..count.get() {
+                    self.write(at + index * stride, *base, &format!("{value}[{index}]"))?;
+                }
+            }
+            TypeInner::Struct { members, .. } => {
+                for member in members {
+                    let name = member.name.as_deref().unwrap_or_default();
+                    self.write(at + member.offset, member.ty, &format!("{value}.{name}"))?;
+                }
+            }
+            _ => return Err(problem(format!("the value `{value}` is none of numbers alone"))),
+        }
+        Ok(())
+    }
+
+    fn word(&mut self, at: u32, value: &str, kind: ScalarKind) {
+        let at = at as usize / 4;
+        let value = match kind {
+            ScalarKind::Float => value.to_owned(),
+            _ => {
+                self.integers.push(at);
+                format!("f32({value})")
+            }
+        };
+        let _ = writeln!(self.text, "    numbers[{at}] = {value};");
+    }
+}
+
+/// Steps of a host program as statements.
+pub(super) struct Steps<'a> {
+    host: &'a Host,
+    settings: &'a Settings,
+    functions: Option<ValidModule>,
+    names: BTreeMap<usize, String>,
+}
+
+impl<'a> Steps<'a> {
+    pub(super) fn new(host: &'a Host, settings: &'a Settings) -> Self {
+        let functions = wgsl::parse(&host.source.wgsl).ok();
+        Self { host, settings, functions, names: BTreeMap::new() }
+    }
+
+    /// The expression of a step that was written.
+    pub(super) fn name(&self, step: usize) -> String {
+        self.names.get(&step).cloned().unwrap_or_else(|| "0.0".to_owned())
+    }
+
+    /// Statements that compute steps and those that they need.
+    pub(super) fn write(
+        &mut self,
+        wanted: impl IntoIterator<Item = usize>,
+    ) -> Result<String, Diagnostic> {
+        let steps = &self.host.source.steps;
+        let (mut needed, mut open) = (BTreeSet::new(), Vec::from_iter(wanted));
+        while let Some(index) = open.pop() {
+            if needed.insert(index) {
+                match &steps[index] {
+                    HostStep::Call { arguments, .. } => open.extend(arguments),
+                    HostStep::Member { value, .. } => open.push(*value),
+                    _ => {}
+                }
+            }
+        }
+        let mut text = String::new();
+        let mut lights: BTreeMap<LightId, String> = BTreeMap::new();
+        for index in needed {
+            let value = match &steps[index] {
+                HostStep::Constant(value) => literal(value).unwrap_or_default(),
+                HostStep::Param { id, ty, value } => match self.settings.parameter(*id, ty) {
+                    Some(setting) => format!("settings.{}", setting.member),
+                    None => self.fixed(index, ty, value)?,
+                },
+                HostStep::Context(context, None) => surrounding(*context)?.to_owned(),
+                HostStep::Context(context, Some(id)) => {
+                    let light = self.settings.light(id);
+                    let light = light.ok_or_else(|| problem(format!("no light `{id}`")))?;
+                    if !lights.contains_key(id) {
+                        let _ = writeln!(text, "    let {} = {};", light.member, light.in_world());
+                        lights.insert(id.clone(), light.member.clone());
+                    }
+                    light_value(*context, &lights[id], light.light.kind)?
+                }
+                HostStep::Call { function, arguments } => {
+                    let arguments: Vec<String> =
+                        arguments.iter().map(|&argument| self.name(argument)).collect();
+                    let call = format!("{function}({})", arguments.join(", "));
+                    let name = format!("value_{index}");
+                    let _ = writeln!(text, "    let {name} = {call};");
+                    name
+                }
+                HostStep::Member { value, index } => {
+                    format!("{}.{}", self.name(*value), self.member(*value, *index)?)
+                }
+            };
+            self.names.insert(index, value);
+        }
+        Ok(text)
+    }
+
+    /// A value that is not set from outside: a ramp, a curve.
+    fn fixed(
+        &self,
+        index: usize,
+        ty: &crate::library::Type,
+        value: &interp::Value,
+    ) -> Result<String, Diagnostic> {
+        let lost = || problem(format!("the value of step {index} cannot be written"));
+        if let Some(text) = literal(value) {
+            return Ok(text);
+        }
+        let functions = self.functions.as_ref().ok_or_else(lost)?;
+        let mut types = functions.module.types.iter();
+        let (handle, _) =
+            types.find(|(_, it)| it.name.as_deref() == Some(ty.wgsl())).ok_or_else(lost)?;
+        composite(&functions.module, handle, value).ok_or_else(lost)
+    }
+
+    /// Name of a member of the struct that a step gives.
+    fn member(&self, step: usize, index: usize) -> Result<String, Diagnostic> {
+        let lost = || problem(format!("step {step} is no struct"));
+        let HostStep::Call { function, .. } = &self.host.source.steps[step] else {
+            return Err(lost());
+        };
+        let module = &self.functions.as_ref().ok_or_else(lost)?.module;
+        let mut functions = module.functions.iter();
+        let (_, found) =
+            functions.find(|(_, it)| it.name.as_ref() == Some(function)).ok_or_else(lost)?;
+        let result = found.result.as_ref().ok_or_else(lost)?;
+        let TypeInner::Struct { members, .. } = &module.types[result.ty].inner else {
+            return Err(lost());
+        };
+        members.get(index).and_then(|member| member.name.clone()).ok_or_else(lost)
+    }
+}
+
+/// A value of a type as WGSL.
+fn composite(
+    module: &naga::Module,
+    ty: Handle<naga::Type>,
+    value: &interp::Value,
+) -> Option<String> {
+    let found = &module.types[ty];
+    Some(match (&found.inner, value) {
+        (TypeInner::Struct { members, .. }, interp::Value::Struct(parts)) => {
+            let parts: Option<Vec<String>> = members
+                .iter()
+                .zip(parts)
+                .map(|(member, part)| composite(module, member.ty, part))
+                .collect();
+            format!("{}({})", found.name.as_ref()?, parts?.join(", "))
+        }
+        (TypeInner::Array { base, .. }, interp::Value::Array(parts)) => {
+            let parts: Option<Vec<String>> =
+                parts.iter().map(|part| composite(module, *base, part)).collect();
+            format!("array({})", parts?.join(", "))
+        }
+        _ => literal(value)?,
+    })
+}
