@@ -5,6 +5,7 @@ use chiaro_test_drawing as support;
 mod described;
 mod golden;
 mod host_code;
+mod host_work;
 mod instructions;
 mod readable;
 mod shadow_maps;

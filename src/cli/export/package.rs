@@ -1,11 +1,10 @@
 //! `chiaro export --to PACKAGE`: a folder that runs where it arrives.
 
-use std::path::Path;
 
 use serde_json::json;
 
 use super::super::output::Output;
-use super::super::render::{executor, size_of};
+use super::super::render::executor;
 use super::super::target::outputs;
 use super::Arguments;
 use crate::diag::Diagnostic;

@@ -45,6 +45,9 @@ pub struct Description {
     pub format: u32,
     /// Meaning of the picture's numbers: as shown (sRGB-encoded), or linear light. Straight alpha.
     pub color_space: ColorSpace,
+    /// True if every pixel that the look draws has alpha 1, whatever parameters say: it needs no
+    /// blending.
+    pub opaque: bool,
     /// Tiers of the nodes.
     pub tiers: TierCounts,
     /// Passes to run, in order.
@@ -182,6 +185,7 @@ pub(super) fn description(
         chiaro: env!("CARGO_PKG_VERSION"),
         format: FORMAT,
         color_space: look.color_space,
+        opaque: found.is_opaque,
         tiers: TierCounts::of(look, typed),
         passes: found.passes.iter().map(|pass| with_sides(pass, found, &parameters)).collect(),
         modules,

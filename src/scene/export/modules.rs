@@ -178,6 +178,8 @@ pub(super) struct Modules {
     pub(super) images: Vec<ExportImage>,
     /// Sides that meshes show while parameters have their defaults.
     sides: DrawnSides,
+    /// True if every pixel that the look draws has alpha 1.
+    pub(super) is_opaque: bool,
     /// Value that decides whether the look cuts parts of its surface away.
     pub(super) cutoff: Option<ParamId>,
 }
@@ -339,6 +341,7 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         modules: Vec::new(),
         passes: Vec::new(),
         images: Vec::new(),
+        is_opaque: draw.opaque_with.as_ref().is_some_and(Vec::is_empty),
         sides: if is_cut { DrawnSides::Both } else { DrawnSides::Front },
         cutoff: if let AlphaCutoff::Param(id) = draw.cutoff { Some(id) } else { None },
     };

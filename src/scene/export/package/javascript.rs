@@ -56,6 +56,7 @@ pub(super) fn write(
     object.insert("name".into(), described["look"].clone());
     object.insert("chiaro".into(), described["chiaro"].clone());
     object.insert("colorSpace".into(), described["color_space"].clone());
+    object.insert("opaque".into(), described["opaque"].clone());
     object.insert("tiers".into(), described["tiers"].clone());
     object.insert("parameters".into(), parameters(description, work));
     object.insert("lights".into(), lights(description));

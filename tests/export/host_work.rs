@@ -1,0 +1,262 @@
+//! Host work of whole looks, as their packages carry it: the bytes of every uniform, from JavaScript
+//! and from Chiaro, with keys, lights and parameters in motion.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DQuat, DVec3};
+use indexmap::IndexMap;
+use serde_json::{Value as Json, json};
+
+use crate::support::random::Random;
+use crate::support::validators::tools_are_required;
+use crate::support::{files, root};
+use chiaro::compile::{CompileOptions, CompiledShader, HostInputs, Live, compile};
+use chiaro::document::{Camera, Look, Target, Tier, Value, Values};
+use chiaro::export::package::{PackageScene, export_package, package};
+use chiaro::files::Disk;
+use chiaro::frame::{Assets, ParamTable, Rig, RigInputs, Wires};
+use chiaro::geometry::Mesh;
+use chiaro::library::Library;
+
+/// States that each look is tried in.
+const STATES: usize = 5;
+
+/// Relative difference of a float of 32 bits that is rounding.
+const TOLERANCE: f32 = 2e-6;
+
+/// A state of a scene around one object.
+struct State {
+    camera: DMat3,
+    eye: DVec3,
+    parallel: Option<DVec3>,
+    illumination: DQuat,
+    turn: DQuat,
+    middle: DVec3,
+    time: f64,
+    frame: f64,
+    object_id: f64,
+    viewport: [f64; 2],
+    exposed: Values,
+}
+
+impl State {
+    fn random(look: &Look, random: &mut Random) -> Self {
+        let mut exposed = Values::new();
+        for parameter in &look.exposed {
+            if random.chance(0.4) {
+                continue;
+            }
+            let own = value_of(look, &parameter.target);
+            let value = match own {
+                Some(Value::Number(x)) if x.fract() != 0.0 => {
+                    Value::Number(x * random.between(0.5, 1.0))
+                }
+                Some(Value::Vector(v)) => {
+                    Value::Vector(v.iter().map(|x| x * random.between(0.5, 1.0)).collect())
+                }
+                _ => continue,
+            };
+            exposed.insert(parameter.name.clone(), value);
+        }
+        let parallel = random.chance(0.3).then(|| random.direction());
+        Self {
+            camera: DMat3::from_quat(random.rotation()),
+            eye: random.direction() * random.between(2.0, 5.0),
+            parallel,
+            illumination: random.rotation(),
+            turn: random.rotation(),
+            middle: random.direction() * 0.4,
+            time: random.between(-0.5, 4.0),
+            frame: random.index(90) as f64,
+            object_id: random.index(7) as f64,
+            viewport: [random.between(60.0, 900.0).floor(), random.between(60.0, 900.0).floor()],
+            exposed,
+        }
+    }
+
+    fn json(&self) -> Json {
+        let matrix = |m: DMat3| json!(m.to_cols_array());
+        let vector = |v: DVec3| json!(v.to_array());
+        json!({
+            "parameters": self.exposed,
+            "illumination": matrix(DMat3::from_quat(self.illumination)),
+            "camera": {
+                "rotation": matrix(self.camera),
+                "eye": vector(self.eye),
+                "parallel": self.parallel.is_some(),
+                "toward": vector(self.parallel.unwrap_or(DVec3::Z)),
+            },
+            "object": {
+                "id": self.object_id,
+                "axes": matrix(DMat3::from_quat(self.turn)),
+                "middle": vector(self.middle),
+            },
+            "viewport": self.viewport,
+            "time": self.time,
+            "frame": self.frame,
+        })
+    }
+
+    /// The bytes of the uniform, by Chiaro.
+    fn uniform(&self, look: &Look, shader: &CompiledShader) -> Vec<u8> {
+        let rig = Rig::new(look).value;
+        let view =
+            self.parallel.unwrap_or_else(|| (self.eye - self.middle).normalize_or(DVec3::Z));
+        let inputs = RigInputs {
+            time: self.time,
+            illumination: self.illumination,
+            camera_from_world: self.camera,
+            view,
+            center: self.middle,
+            distance: self.eye.distance(self.middle),
+            front: self.turn * DVec3::Z,
+            turn: self.turn,
+            near: &IndexMap::new(),
+            exposed: &self.exposed,
+            lights: &IndexMap::new(),
+            scene_values: &HashMap::new(),
+            aims: &Arc::default(),
+            viewport: self.viewport,
+            frame: self.frame,
+            object_id: self.object_id,
+        };
+        let table = ParamTable::new(&shader.params);
+        let values = rig
+            .evaluate(&shader.params, &table, Wires::of(shader), &inputs)
+            .expect("an example's keys");
+        let inputs = HostInputs {
+            params: &values.params,
+            lights: &values.lights,
+            camera_from_world: self.camera,
+            viewport: self.viewport,
+            time: self.time,
+            frame: self.frame,
+            object_id: self.object_id,
+        };
+        shader.host.uniform(&inputs).expect("an example's host work").bytes
+    }
+}
+
+/// The document's value of a target.
+fn value_of(look: &Look, target: &Target) -> Option<Value> {
+    match target {
+        Target::Input { node, port } => match node.ids() {
+            [id] => look.graph.nodes.get(id)?.values.get(port).cloned(),
+            _ => None,
+        },
+        Target::Light { light, field } => {
+            chiaro::frame::light_field(look.lights.get(light)?, field)
+        }
+    }
+}
+
+/// The look's `LOOK.js`, as a package has it.
+fn javascript(look: &Look, name: &str, folder: &Path) -> String {
+    let scene = PackageScene {
+        mesh: Arc::new(Mesh::default()),
+        world_from_object: DMat4::IDENTITY,
+        camera: Camera::default(),
+        backdrop: None,
+    };
+    let package = package("web").expect("a package");
+    let place = (folder, &mut Assets::default());
+    let files = export_package(look, Library::built_in(), name, package, &scene, place)
+        .unwrap_or_else(|problems| panic!("{name}: {}", problems[0]))
+        .value;
+    let own = format!("{name}.js");
+    let file = files.into_iter().find(|file| file.name == own).expect("the look");
+    String::from_utf8(file.bytes).expect("text")
+}
+
+/// A look with its file's stem and the bytes that are wanted of it.
+struct Case {
+    name: String,
+    script: String,
+    states: Vec<Json>,
+    wanted: Vec<Vec<u8>>,
+}
+
+fn cases() -> Vec<Case> {
+    let mut random = Random::new(7);
+    let mut cases = Vec::new();
+    for path in files::below(&root().join("examples/looks")) {
+        if !path.extension().is_some_and(|ending| ending == "json") {
+            continue;
+        }
+        let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
+        let mut look = Look::load(&Disk, &path).value.expect("an example opens");
+        // An export carries no rays.
+        look.set_every_tier(Tier::Balanced);
+        let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
+        let shader = compile(&look, Library::built_in(), &options).expect("an example").value;
+        if shader.host.size == 0 {
+            continue;
+        }
+        let script = javascript(&look, &name, path.parent().expect("a folder"));
+        let states: Vec<State> = (0..STATES).map(|_| State::random(&look, &mut random)).collect();
+        cases.push(Case {
+            name,
+            script,
+            wanted: states.iter().map(|state| state.uniform(&look, &shader)).collect(),
+            states: states.iter().map(State::json).collect(),
+        });
+    }
+    cases
+}
+
+#[test]
+fn packages_compute_the_uniforms_of_every_example() {
+    let cases = cases();
+    assert!(cases.len() > 60, "{} looks have host work", cases.len());
+    let mut program = "const results = [];\n".to_owned();
+    for case in &cases {
+        let _ = writeln!(
+            program,
+            "results.push((() => {{\n{}\nreturn {}.map((state) => \
+             Array.from(new Uint32Array(look.modules.draw.prepare(state))));\n}})());",
+            case.script,
+            json!(case.states)
+        );
+    }
+    program += "console.log(JSON.stringify(results));\n";
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("looks.mjs");
+    std::fs::write(&file, program).expect("a temporary file");
+    let Ok(output) = Command::new("node").arg(&file).output() else {
+        assert!(!tools_are_required(), "node is missing: run scripts/setup");
+        return;
+    };
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}", &said[..said.len().min(4000)]);
+    let results: Vec<Vec<Vec<u32>>> =
+        serde_json::from_slice(&output.stdout).expect("lists of words");
+    let mut wrong = Vec::new();
+    for (case, results) in cases.iter().zip(&results) {
+        for (state, (wanted, found)) in case.states.iter().zip(case.wanted.iter().zip(results)) {
+            let wanted: Vec<u32> = wanted
+                .chunks_exact(4)
+                .map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+                .collect();
+            let differs = |(wanted, found): (&u32, &u32)| {
+                let (a, b) = (f32::from_bits(*wanted), f32::from_bits(*found));
+                wanted != found && (a - b).abs() > TOLERANCE * a.abs().max(1.0)
+            };
+            let first = wanted.iter().zip(found).position(differs);
+            if wanted.len() != found.len() || first.is_some() {
+                let at = first.unwrap_or(0);
+                wrong.push(format!(
+                    "{}: word {at} is {:?} and not {:?}, in {state}",
+                    case.name,
+                    found.get(at).map(|it| f32::from_bits(*it)),
+                    wanted.get(at).map(|it| f32::from_bits(*it)),
+                ));
+                break;
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} looks differ:\n{}", wrong.len(), wrong.join("\n"));
+}
