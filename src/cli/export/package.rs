@@ -1,27 +1,19 @@
 //! `chiaro export --to PACKAGE`: a folder that runs where it arrives.
 
-
 use serde_json::json;
 
+use super::super::open::{check_nodes_folder, library_for, not_a_look};
 use super::super::output::Output;
 use super::super::render::executor;
 use super::super::target::outputs;
+use super::super::tier::{self, TierChoice};
 use super::Arguments;
 use crate::diag::Diagnostic;
 use crate::document::Document;
-use crate::frame::{Assets, PlanOptions, PlanStyle, Setup, open};
+use crate::frame::{Assets, Setup, open};
 use crate::library::Library;
-use chiaro_scene::export::package::{EXPECTED, Package, PackageScene, export_package};
-use chiaro_scene::export::{self, ExportFile};
-
-use super::super::open::{check_nodes_folder, library_for, not_a_look};
-use super::super::tier::{self, TierChoice};
-
-/// Width and height of the picture that a package is expected to show.
-const EXPECTED_SIZE: [u32; 2] = [800, 800];
-
-/// Samples a pixel of that picture.
-const EXPECTED_SAMPLES: u32 = 4;
+use chiaro_scene::export;
+use chiaro_scene::export::package::{Package, PackageScene, draw_expected, export_package};
 
 /// Exports a look as a package.
 pub(super) async fn run(
@@ -55,12 +47,20 @@ pub(super) async fn run(
         problems
     };
     let place = (worn.folder.as_path(), &mut assets);
-    let scene = scene_of(&setup);
+    let scene = PackageScene::of(&setup).ok_or_else(|| {
+        vec![Diagnostic::error("empty-scene", "there is no mesh to show the look on")]
+    })?;
     let exported = export_package(&worn.look, &library, &stem, package, &scene, place);
     let exported = exported.map_err(located)?;
     output.diagnostics(&located(exported.warnings));
     let mut files = exported.value;
-    files.push(expected(&setup, &library, assets, output).await?);
+    let mut executor = executor(None, output).await.map_err(|problem| vec![problem])?;
+    let expected = output
+        .watch_async("drawing", async |progress| {
+            draw_expected(&setup, &library, assets, &mut *executor, progress).await
+        })
+        .await?;
+    files.push(expected);
     let read = [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten();
     let mut outputs = outputs(arguments.force, read);
     let written = export::write(&files, folder, &mut outputs)?;
@@ -92,36 +92,4 @@ fn take_tier(arguments: &Arguments, setup: &mut Setup, library: &mut Library, ou
             output.diagnostics(&told);
         }
     }
-}
-
-/// The scene of a look that was opened: its mesh before the default camera.
-pub(super) fn scene_of(setup: &Setup) -> PackageScene {
-    let object = &setup.objects[0];
-    PackageScene {
-        mesh: object.mesh.clone(),
-        world_from_object: object.world_from_object,
-        camera: setup.scene.camera.clone(),
-        backdrop: setup.scene.backdrop.map(|color| [color[0], color[1], color[2]]),
-    }
-}
-
-/// The picture that the package is expected to show.
-async fn expected(
-    setup: &Setup,
-    library: &Library,
-    assets: Assets,
-    output: &Output,
-) -> Result<ExportFile, Vec<Diagnostic>> {
-    let one = |problem: Diagnostic| vec![problem];
-    let style = PlanStyle::Specialized;
-    let mut planner = style.planner(assets);
-    let options = PlanOptions { size: EXPECTED_SIZE, samples: EXPECTED_SAMPLES, time: 0.0 };
-    let plan = planner.plan(setup, library, &style.live(), &options)?.value;
-    let mut executor = executor(None, output).await.map_err(one)?;
-    let picture = output
-        .watch_async("drawing", async |progress| executor.picture(&plan, progress).await)
-        .await
-        .map_err(one)?;
-    let bytes = picture.to_png().map_err(one)?;
-    Ok(ExportFile { name: EXPECTED.to_owned(), bytes })
 }

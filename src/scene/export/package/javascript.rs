@@ -8,11 +8,11 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
+use super::super::ExportFile;
 use super::super::description::Description;
 use super::super::host_code::{JAVASCRIPT, translate};
 use super::super::pretty::pretty;
 use super::super::program::{HostWork, ParameterSetting};
-use super::super::ExportFile;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Target};
 use crate::interp;
@@ -94,11 +94,8 @@ fn indented(text: &str) -> String {
 /// Functions that bring a state into the form that the host work takes.
 fn settings(look: &Look, work: &HostWork) -> String {
     let mut text = String::new();
-    let own: Map<String, Value> = work
-        .lights
-        .iter()
-        .map(|light| (light.id.to_string(), json!(light.light)))
-        .collect();
+    let own: Map<String, Value> =
+        work.lights.iter().map(|light| (light.id.to_string(), json!(light.light))).collect();
     let _ = writeln!(text, "// Lights of the look, each in its own frame.");
     let _ = writeln!(text, "const own_lights = {};\n", pretty(&Value::Object(own)).trim_end());
     let _ = writeln!(text, "const settings_of = ({{ parameters = {{}}, lights = {{}} }}) => ({{");
@@ -136,11 +133,8 @@ fn settings(look: &Look, work: &HostWork) -> String {
     if !near.is_empty() {
         let _ = writeln!(text, "  Object.assign(around, {{ {} }});", near.join(", "));
     }
-    let settings = if work.is_keyed {
-        "keyed(settings_of(state), around)"
-    } else {
-        "settings_of(state)"
-    };
+    let settings =
+        if work.is_keyed { "keyed(settings_of(state), around)" } else { "settings_of(state)" };
     let _ = writeln!(text, "  return bytes_of(numbers({settings}, around), integers);\n}};");
     text
 }
@@ -216,9 +210,8 @@ fn passes(described: &Value) -> Value {
     let mut passes = described["passes"].clone();
     for pass in passes.as_array_mut().into_iter().flatten() {
         let index = pass["sides_parameter"].as_u64();
-        let name = index.and_then(|index| {
-            described["parameters"][index as usize].get("name").cloned()
-        });
+        let name =
+            index.and_then(|index| described["parameters"][index as usize].get("name").cloned());
         if let Some(object) = pass.as_object_mut() {
             object.remove("sides_parameter");
             if let Some(name) = name {
@@ -230,12 +223,7 @@ fn passes(described: &Value) -> Value {
 }
 
 /// A module: its bindings with their places in each language, its texts, its host work.
-fn module_text(
-    module: &Value,
-    described: &Value,
-    work: &HostWork,
-    sources: &[Source],
-) -> String {
+fn module_text(module: &Value, described: &Value, work: &HostWork, sources: &[Source]) -> String {
     let name = module["name"].as_str().unwrap_or_default();
     let mut object = Map::new();
     let entry = |stage: &str| {

@@ -22,9 +22,10 @@ use super::{ExportFile, LANGUAGES, exposed, header, modules, program, textures};
 use crate::compile::check;
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, Look};
-use crate::frame::Assets;
+use crate::frame::{Assets, Executor, PlanOptions, PlanStyle, Setup, SetupObject};
 use crate::geometry::Mesh;
 use crate::library::Library;
+use crate::progress::Progress;
 
 /// A package that looks are exported to.
 #[derive(Debug)]
@@ -169,3 +170,80 @@ fn manifest(request: &PackageRequest<'_>, package: &Package, files: &[ExportFile
 
 /// Name of the picture that a package is expected to show.
 pub const EXPECTED: &str = "expected.png";
+
+/// What a look asks of whoever draws it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LookNeeds {
+    /// Labels of the passes before the picture, in order.
+    pub passes: Vec<&'static str>,
+    /// Number of images.
+    pub images: usize,
+    /// Number of painted surfaces (HCBTFs).
+    pub painted_surfaces: usize,
+    /// Number of lights.
+    pub lights: usize,
+    /// Number of exposed parameters that change the picture.
+    pub parameters: usize,
+    /// Number of sets and tracks of keys.
+    pub keys: usize,
+}
+
+impl LookNeeds {
+    /// The needs of `look`.
+    ///
+    /// # Errors
+    /// All errors of the look.
+    pub fn of(look: &Look, library: &Library) -> Result<Self, Vec<Diagnostic>> {
+        let (typed, _) = check(look, library, None)?.into_parts();
+        let modules = modules::compile(&typed, "look")?;
+        let parameters = exposed::parameters(look, library, &typed, &modules);
+        let is_painted = |image: &&modules::ExportImage| image.kind == "hcbtf";
+        let painted_surfaces = modules.images.iter().filter(is_painted).count();
+        let before = modules.passes.iter().filter(|pass| pass.module != "draw");
+        Ok(Self {
+            passes: before.map(|pass| pass.name).collect(),
+            images: modules.images.len() - painted_surfaces,
+            painted_surfaces,
+            lights: exposed::lights(look, &modules).len(),
+            parameters: parameters.list.iter().filter(|it| it.name.is_some() && it.live).count(),
+            keys: look.direction_keys.len() + look.time_keys.len(),
+        })
+    }
+}
+
+/// Draws the picture that a package is expected to show: `setup` before its own camera, 800 by 800
+/// pixels, 4 samples a pixel.
+///
+/// # Errors
+/// Those of planning and drawing.
+pub async fn draw_expected(
+    setup: &Setup,
+    library: &Library,
+    assets: Assets,
+    executor: &mut dyn Executor,
+    progress: &Progress,
+) -> Result<ExportFile, Vec<Diagnostic>> {
+    let one = |problem: Diagnostic| vec![problem];
+    let style = PlanStyle::Specialized;
+    let mut planner = style.planner(assets);
+    let options = PlanOptions { size: [800; 2], samples: 4, time: 0.0 };
+    let plan = planner.plan(setup, library, &style.live(), &options)?.value;
+    let picture = executor.picture(&plan, progress).await.map_err(one)?;
+    let bytes = picture.to_png().map_err(one)?;
+    Ok(ExportFile { name: EXPECTED.to_owned(), bytes })
+}
+
+impl PackageScene {
+    /// The scene of the object that wears the first look of a setup, before the setup's camera.
+    /// `None` where no object wears it.
+    pub fn of(setup: &Setup) -> Option<Self> {
+        let wears = |object: &&SetupObject| object.worn_looks().any(|look| look == 0);
+        let object = setup.objects.iter().find(wears)?;
+        Some(Self {
+            mesh: object.mesh.clone(),
+            world_from_object: object.world_from_object,
+            camera: setup.scene.camera.clone(),
+            backdrop: setup.scene.backdrop.map(|color| [color[0], color[1], color[2]]),
+        })
+    }
+}
