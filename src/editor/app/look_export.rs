@@ -1,16 +1,22 @@
-//! Export of the look as shaders, for every language that `chiaro export` writes, by the same code.
-//! Compiling for seven languages takes a moment, so a thread does it and no hand waits.
+//! Export of the look as shaders or as a package, for every language and package that `chiaro
+//! export` writes, by the same code. Compiling for seven languages takes a moment, so a thread does
+//! it and no hand waits. Nodes whose tier no export carries are exported in the nearest that one
+//! does, which is told.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
+use crate::export::package::{Package, PackageScene, draw_expected, export_package, package};
 use crate::export::{self, ExportFile};
 use crate::files::Outputs;
-use crate::frame::{AssetStore, Assets};
+use crate::frame::{Assets, Executor};
 use crate::library::Library;
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::session::Session;
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// Destination of an export.
@@ -23,17 +29,13 @@ enum Destination {
 
 /// A look at the time of the request, with everything for its export.
 struct LookExportRequest {
-    look: Look,
-    library: Arc<Library>,
+    snapshot: RenderSnapshot,
     stem: String,
-    /// Folder that paths of images are relative to.
-    folder: PathBuf,
     /// File of the look, which nothing may write over.
     path: Option<PathBuf>,
-    language: &'static str,
+    /// Slug of a language or a package, or [`export::ALL`].
+    target: &'static str,
     to: Destination,
-    /// Assets that all pictures of the window share.
-    assets: AssetStore,
 }
 
 /// Result of an export.
@@ -43,6 +45,8 @@ pub(crate) enum LookExportResult {
     Told(String),
     /// Text to copy, and a message.
     Copied(String, String),
+    /// A package's page to open, and a message.
+    Opened(PathBuf, String),
 }
 
 /// The exporting thread, and the folder of the last export.
@@ -52,13 +56,22 @@ pub(crate) struct LookExports {
 }
 
 impl LookExports {
-    /// Starts the thread. `wake` is called from another thread when an export is done.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |jobs: Vec<LookExportRequest>| jobs.iter().map(run).collect();
-        Self { worker: Worker::new("export look", wake, work), folder: None }
+    /// Starts the thread. `wake` is called from another thread when an export is done. Without a
+    /// `gpu` packages have no picture of what they are expected to show.
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+        let mut executor = gpu.map(|gpu| gpu.executor());
+        let work = async move |jobs: Vec<LookExportRequest>| {
+            let mut all = Vec::new();
+            for job in jobs {
+                all.push(run(job, executor.as_mut()).await);
+            }
+            all
+        };
+        Self { worker: Worker::waiting("export look", wake, work), folder: None }
     }
 
-    /// Writes the open look, as it is now, in a language (or [`export::ALL`]) into a folder.
+    /// Writes the open look, as it is now, in a language (or [`export::ALL`]) or as a package
+    /// into a folder.
     pub(crate) fn write(&mut self, session: &Session, language: &'static str, folder: PathBuf) {
         self.folder = Some(folder.clone());
         self.add(job(session, language, Destination::Folder(folder)));
@@ -115,35 +128,84 @@ fn own_folder(stem: &str) -> String {
     format!("{stem}-shaders")
 }
 
-fn job(session: &Session, language: &'static str, to: Destination) -> LookExportRequest {
+fn job(session: &Session, target: &'static str, to: Destination) -> LookExportRequest {
     LookExportRequest {
-        look: session.look().clone(),
-        library: session.project.library.clone(),
+        snapshot: session.snapshot_of(Arc::new(session.look().clone())).alone(),
         stem: stem(session),
-        folder: session.look.folder(),
         path: session.path().map(Path::to_path_buf),
-        language,
+        target,
         to,
-        assets: session.assets.clone(),
     }
 }
 
-fn run(job: &LookExportRequest) -> LookExportResult {
-    let exported = export::languages([job.language]).and_then(|languages| {
-        let mut assets = Assets::of(&job.assets);
-        let place = (job.folder.as_path(), &mut assets);
-        Ok((export::export(&job.look, &job.library, &job.stem, &languages, place)?, languages))
-    });
-    let done = exported.and_then(|(exported, languages)| match &job.to {
+async fn run(
+    job: LookExportRequest,
+    executor: Option<&mut Box<dyn Executor + Send>>,
+) -> LookExportResult {
+    let done = match package(job.target) {
+        Some(package) => write_package(&job, package, executor).await,
+        None => write_languages(&job),
+    };
+    done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
+}
+
+/// The look and its library with tiers that an export carries, and what that changed.
+fn carried(job: &LookExportRequest) -> (Look, Library, String) {
+    let (mut look, mut library) = ((*job.snapshot.look).clone(), (*job.snapshot.library).clone());
+    let changed = export::take_carried_tiers(&mut look, &mut library);
+    let told = match &changed[..] {
+        [] => String::new(),
+        [one] => format!(" · {}", one.message),
+        [first, rest @ ..] => format!(" · {}; and {} more", first.message, rest.len()),
+    };
+    (look, library, told)
+}
+
+fn write_languages(job: &LookExportRequest) -> Result<LookExportResult, Vec<Diagnostic>> {
+    let languages = export::languages([job.target])?;
+    let (look, library, changed) = carried(job);
+    let mut assets = Assets::of(&job.snapshot.assets);
+    let place = (job.snapshot.folder.as_path(), &mut assets);
+    let exported = export::export(&look, &library, &job.stem, &languages, place)?;
+    match &job.to {
         Destination::Folder(folder) => {
-            let told = write(&exported.value, folder, job)?;
+            let (told, _) = write(&exported.value, folder, job)?;
             let unverified =
                 export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
-            Ok(LookExportResult::Told(told + &unverified))
+            Ok(LookExportResult::Told(told + &unverified + &changed))
         }
         Destination::Clipboard(ending) => copy(&exported.value, ending, job),
-    });
-    done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
+    }
+}
+
+async fn write_package(
+    job: &LookExportRequest,
+    package: &Package,
+    executor: Option<&mut Box<dyn Executor + Send>>,
+) -> Result<LookExportResult, Vec<Diagnostic>> {
+    let Destination::Folder(folder) = &job.to else {
+        return Ok(LookExportResult::Told("a package is a folder".to_owned()));
+    };
+    let (look, library, changed) = carried(job);
+    let mut assets = Assets::default();
+    let mut setup = job.snapshot.setup(&mut assets)?.value;
+    setup.looks[0].look = look;
+    let scene = PackageScene::of(&setup).ok_or_else(|| {
+        vec![Diagnostic::error("empty-scene", "there is no mesh to show the look on")]
+    })?;
+    let place = (job.snapshot.folder.as_path(), &mut assets);
+    let look = &setup.looks[0].look;
+    let mut files = export_package(look, &library, &job.stem, package, &scene, place)?.value;
+    if let Some(executor) = executor {
+        let progress = Progress::new();
+        files.push(draw_expected(&setup, &library, assets, &mut **executor, &progress).await?);
+    }
+    let (told, folder) = write(&files, folder, job)?;
+    let told = told + &changed;
+    Ok(match package.opens {
+        Some(page) => LookExportResult::Opened(folder.join(page), told),
+        None => LookExportResult::Told(told),
+    })
 }
 
 /// Writes the files of an export. Where they would replace a document they go into a folder of
@@ -153,7 +215,7 @@ fn write(
     exported: &[ExportFile],
     folder: &Path,
     job: &LookExportRequest,
-) -> Result<String, Vec<Diagnostic>> {
+) -> Result<(String, PathBuf), Vec<Diagnostic>> {
     let mut outputs = Outputs::new(false);
     job.path.iter().for_each(|path| outputs.reads(path));
     let is_free = export::in_the_way(exported, folder, &outputs).is_none();
@@ -163,7 +225,7 @@ fn write(
         1 => "1 file".to_owned(),
         count => format!("{count} files"),
     };
-    Ok(format!("Exported {count} to {}", folder.display()))
+    Ok((format!("Exported {count} to {}", folder.display()), folder))
 }
 
 fn copy(
@@ -194,6 +256,24 @@ fn copy(
     Ok(LookExportResult::Copied(text, format!("{name} is in the clipboard{more}")))
 }
 
+/// Address of a file for a browser, every odd byte of its path as `%XX`.
+pub(crate) fn address_of(file: &Path) -> String {
+    let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let path = path.to_string_lossy().replace('\\', "/");
+    let mut address = "file://".to_owned();
+    if !path.starts_with('/') {
+        address.push('/');
+    }
+    for byte in path.bytes() {
+        if byte.is_ascii_alphanumeric() || b"/-_.~:".contains(&byte) {
+            address.push(char::from(byte));
+        } else {
+            address += &format!("%{byte:02X}");
+        }
+    }
+    address
+}
+
 /// Message of the first problem, with its node and port, and its hints.
 fn told(problems: &[Diagnostic]) -> String {
     let Some(first) = problems.iter().find(|problem| problem.is_error()).or(problems.first())
@@ -222,6 +302,11 @@ mod tests {
         assert_eq!(stem_of("Rim light, No. 2"), "rim-light-no-2");
         assert_eq!(stem_of("../.."), "look");
         assert_eq!(stem_of("Größe 光"), "größe-光");
+    }
+
+    #[test]
+    fn files_have_addresses() {
+        assert_eq!(address_of(Path::new("/a b/ü.html")), "file:///a%20b/%C3%BC.html");
     }
 
     #[test]

@@ -23,11 +23,11 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use eframe::egui::{self, Key, Modifiers, Panel, Ui};
+use eframe::egui::{self, Key, Modifiers, OpenUrl, Panel, Ui};
 
 use crate::app::dialogs::{DialogKind, Dialogs};
 use crate::app::dock::{Dock, Workspace};
-use crate::app::look_export::{LookExportResult, LookExports};
+use crate::app::look_export::{LookExportResult, LookExports, address_of};
 use crate::app::path_field::PathField;
 use crate::app::shortcuts_and_palette::Sheet;
 use crate::app::tour::Tour;
@@ -118,13 +118,14 @@ impl App {
         let session = Session::reading_from(files, library, waker());
         let crashes = || session.journals.crashes.clone();
         let picture = render_state.map(|state| ViewportPicture::new(state, crashes(), waker()));
+        let gpu = picture.as_ref().map(|picture| picture.gpu().clone());
         let bench = Workbench::new(picture, crashes(), waker());
         Self {
             session,
             bench,
             dialogs: Dialogs::new(waker()),
             dock: Dock::default(),
-            look_exports: LookExports::new(waker()),
+            look_exports: LookExports::new(gpu, waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
             start: None,
@@ -544,12 +545,17 @@ impl App {
     /// Takes the results of exported shaders.
     fn take_look_exports(&mut self, ui: &Ui) {
         for done in self.look_exports.answers() {
-            let (copied, told) = match done {
-                LookExportResult::Told(told) => (None, told),
-                LookExportResult::Copied(text, told) => (Some(text), told),
-            };
-            copied.into_iter().for_each(|text| ui.ctx().copy_text(text));
-            self.message = Some(told);
+            self.message = Some(match done {
+                LookExportResult::Told(told) => told,
+                LookExportResult::Copied(text, told) => {
+                    ui.ctx().copy_text(text);
+                    told
+                }
+                LookExportResult::Opened(page, told) => {
+                    ui.ctx().open_url(OpenUrl::new_tab(address_of(&page)));
+                    told
+                }
+            });
         }
     }
 

@@ -10,6 +10,7 @@ impl PanelId {
     pub(crate) const COST: Self = Self("cost");
     pub(crate) const DIRECTIONS: Self = Self("directions");
     pub(crate) const EFFECTS: Self = Self("effects");
+    pub(crate) const EXPORT: Self = Self("export");
     pub(crate) const FIT: Self = Self("fit");
     pub(crate) const GRAPH: Self = Self("graph");
     pub(crate) const HISTORY: Self = Self("history");

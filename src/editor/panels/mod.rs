@@ -6,6 +6,7 @@ pub(crate) mod code;
 pub(crate) mod cost;
 pub(crate) mod curves;
 mod effects;
+mod export;
 mod fit;
 mod graph;
 mod history;
@@ -55,6 +56,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     problems::PANEL,
     effects::PANEL,
     cost::PANEL,
+    export::PANEL,
     probe::PANEL,
     fit::PANEL,
 ];

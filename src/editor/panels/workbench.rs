@@ -9,6 +9,7 @@ use crate::canvas::Canvas;
 use crate::hcbtf::Device;
 use crate::painter::Painting;
 use crate::panels::cost::Cost;
+use crate::panels::export::ExportCards;
 use crate::panels::links::Links;
 use crate::render::Gpu;
 use crate::state::crashes::CrashLog;
@@ -25,6 +26,7 @@ pub(crate) struct Workbench {
     pub(crate) cost: Cost,
     pub(crate) painting: Painting,
     pub(crate) links: Links,
+    pub(crate) export: ExportCards,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
     pub(crate) memory: PanelMemory,
@@ -47,6 +49,7 @@ impl Workbench {
             cost: Cost::new(gpu.clone(), wake.clone()),
             painting: Painting::new(device, wake.clone()),
             links: Links::new(wake.clone()),
+            export: ExportCards::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,
             memory: PanelMemory::default(),

@@ -1,9 +1,11 @@
-//! Rows that copy and export the look: one for each language of exports, and for each of its texts.
+//! Rows that copy and export the look: one for each language of exports, for each of its texts, and
+//! for each package.
 
 use eframe::egui::Key;
 
 use super::{CTRL_SHIFT, CommandRow, KeyScope, Menu, row};
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
+use crate::export::package::PACKAGES;
 use crate::export::{self, TextFile};
 
 pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
@@ -22,5 +24,12 @@ pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
         let label = format!("Export to {}{api}...", language.short_label);
         without_key(Command::ExportLook(language.slug, None), label)
     });
-    copies.chain([all].into_iter().chain(exports).map(|row| row.in_menu(Menu::Export)))
+    let packages = PACKAGES.into_iter().map(move |package| {
+        let label = format!("Export for {}...", package.label);
+        without_key(Command::ExportLook(package.slug, None), label)
+    });
+    let cards = Command::ShowPanel(PanelId::EXPORT);
+    let cards = without_key(cards, "Export to a program or a page".to_owned());
+    let exports = [cards, all].into_iter().chain(packages).chain(exports);
+    copies.chain(exports.map(|row| row.in_menu(Menu::Export)))
 }

@@ -200,6 +200,7 @@ fn lights(description: &Description) -> Value {
         };
         object.insert("id".into(), json!(light.id));
         object.insert("label".into(), json!(light.label));
+        object.insert("fields".into(), json!(light.fields));
         Value::Object(object)
     };
     json!(description.lights.iter().map(light).collect::<Vec<_>>())

@@ -1,0 +1,293 @@
+//! Cards of the programs that a look can be exported to: what each needs of this look, what it would
+//! refuse and what the folder would weigh, tried out in the background; a click exports.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Ui, vec2};
+
+use super::table::{PanelPlace, PanelRow, Presence};
+use crate::commands::{Command, PanelId};
+use crate::diag::Diagnostic;
+use crate::export;
+use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_package};
+use crate::frame::Assets;
+use crate::library::Library;
+use crate::state::session::Session;
+use crate::state::snapshot::{RenderSnapshot, Stamp};
+use crate::state::worker::{BackgroundJobs, Worker};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::EXPORT,
+    "Export",
+    "The look for other programs and for pages: what each needs, refuses and weighs",
+    PanelPlace::BELOW_PICTURE.closed(),
+    |bench, ui, context| bench.export.show(ui, context.session),
+)
+.with_each_frame(|bench, _, session, presence| {
+    bench.export.update(session, presence);
+    Vec::new()
+})
+.with_jobs(|bench| &bench.export);
+
+/// Least width of a card, in points.
+const CARD: f32 = 280.0;
+/// Height of a card, in points.
+const HEIGHT: f32 = 168.0;
+/// Gap between cards, in points.
+const GAP: f32 = 10.0;
+
+/// A look to be tried.
+struct TrialRequest {
+    snapshot: RenderSnapshot,
+    stamp: Stamp,
+}
+
+/// What the packages say to a look.
+struct Trial {
+    stamp: Stamp,
+    needs: Result<LookNeeds, Vec<Diagnostic>>,
+    /// By package, in the order of [`PACKAGES`].
+    packages: Vec<PackageTrial>,
+    /// Nodes that are exported in another tier, in words.
+    changed: Vec<String>,
+}
+
+/// What a package says to a look.
+enum PackageTrial {
+    /// Number of files, and their bytes.
+    Takes { files: usize, bytes: usize },
+    /// The reason, and what helps.
+    Refuses(String, Vec<String>),
+}
+
+/// The panel, and the last trial.
+pub(crate) struct ExportCards {
+    worker: Worker<TrialRequest, Trial>,
+    done: Option<Trial>,
+    asked: Option<Stamp>,
+}
+
+impl BackgroundJobs for ExportCards {
+    fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+impl ExportCards {
+    /// `wake` is called from another thread when a trial is done.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let worker = Worker::new("try exports", wake, |request: TrialRequest| run(request));
+        Self { worker, done: None, asked: None }
+    }
+
+    /// Takes a finished trial, and asks for one of the look as it is while the panel is seen.
+    fn update(&mut self, session: &Session, presence: Presence) {
+        if let Some(done) = self.worker.answers().pop() {
+            self.done = Some(done);
+        }
+        let stamp = session.stamp();
+        if presence != Presence::Seen || self.asked.as_ref() == Some(&stamp) {
+            return;
+        }
+        self.asked = Some(stamp.clone());
+        let snapshot = session.snapshot_of(Arc::new(session.look().clone())).alone();
+        self.worker.request(|_| TrialRequest { snapshot, stamp });
+    }
+
+    fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        let is_current = self.done.as_ref().is_some_and(|done| done.stamp == session.stamp());
+        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            self.head(ui, is_current);
+            let width = ui.available_width();
+            let columns = ((width + GAP) / (CARD + GAP)).floor().max(1.0);
+            let card = vec2(((width + GAP) / columns - GAP).floor(), HEIGHT);
+            ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+            ui.horizontal_wrapped(|ui| {
+                for (index, package) in PACKAGES.into_iter().enumerate() {
+                    let trial = self.done.as_ref().and_then(|done| done.packages.get(index));
+                    ui.allocate_ui_with_layout(card, Layout::top_down(Align::Min), |ui| {
+                        show_card(ui, card, package, trial, &mut commands);
+                    });
+                }
+            });
+            ui.add_space(4.0);
+            languages(ui, &mut commands);
+        });
+        commands
+    }
+
+    /// What the look needs, in a line or two.
+    fn head(&self, ui: &mut Ui, is_current: bool) {
+        let Some(done) = &self.done else {
+            hint(ui, "Trying what the look needs ...");
+            return;
+        };
+        let needs = match &done.needs {
+            Ok(needs) => told(needs),
+            Err(problems) => problems.first().map_or_else(String::new, |it| it.message.clone()),
+        };
+        let ink = if is_current { theme::of(ui).text } else { theme::of(ui).dim };
+        ui.label(RichText::new(needs).color(ink));
+        for changed in &done.changed {
+            ui.label(RichText::new(changed).color(theme::of(ui).warning).size(theme::SMALL_TEXT));
+        }
+    }
+}
+
+/// The needs of a look as a sentence.
+fn told(needs: &LookNeeds) -> String {
+    let counted = |count: usize, one: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        count => Some(format!("{count} {one}s")),
+    };
+    let passes: Vec<String> = needs.passes.iter().map(|pass| pass.replace('_', " ")).collect();
+    let parts = [
+        counted(needs.lights, "light"),
+        counted(needs.parameters, "exposed value"),
+        counted(needs.keys, "set").map(|sets| format!("{sets} of keys")),
+        counted(needs.images, "image"),
+        counted(needs.painted_surfaces, "painted surface"),
+        (!passes.is_empty()).then(|| format!("passes before it: {}", passes.join(", "))),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() {
+        return "This look needs a mesh and nothing else".to_owned();
+    }
+    format!("This look has {}", parts.join(" · "))
+}
+
+fn show_card(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    package: &Package,
+    trial: Option<&PackageTrial>,
+    commands: &mut Vec<Command>,
+) {
+    let colors = theme::of(ui);
+    let frame = egui::Frame::new().fill(colors.node).corner_radius(6.0).inner_margin(12.0);
+    frame.show(ui, |ui| {
+        ui.set_min_size(size - vec2(24.0, 24.0));
+        ui.set_max_size(size - vec2(24.0, 24.0));
+        ui.spacing_mut().item_spacing.y = 6.0;
+        ui.label(RichText::new(package.label).strong().size(15.0));
+        ui.label(RichText::new(package.help).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
+        let is_taken = match trial {
+            None => {
+                ui.label(RichText::new("Trying ...").color(colors.dim));
+                true
+            }
+            Some(PackageTrial::Takes { files, bytes }) => {
+                ui.label(format!("{files} files · {}", weight(*bytes)));
+                true
+            }
+            Some(PackageTrial::Refuses(reason, hints)) => {
+                let text = RichText::new(format!("Not this look: {reason}")).color(colors.warning);
+                let label = egui::Label::new(text).truncate();
+                ui.add(label).on_hover_text(format!("{reason}\n{}", hints.join("\n")));
+                if let Some(hint) = hints.first() {
+                    let text = RichText::new(hint).color(colors.dim).size(theme::SMALL_TEXT + 1.0);
+                    ui.add(egui::Label::new(text).truncate()).on_hover_text(hint);
+                }
+                false
+            }
+        };
+        ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
+            let text = match package.opens {
+                Some(_) => "Export and open...",
+                None => "Export...",
+            };
+            let button = ui.add_enabled(is_taken, Button::new(text));
+            button.widget_info(|| {
+                let name = format!("Export for {}", package.label);
+                egui::WidgetInfo::labeled(egui::Role::Button, is_taken, name)
+            });
+            let help = format!("Writes a folder that runs where it arrives: --to {}", package.slug);
+            if button.on_hover_text(help).clicked() {
+                commands.push(Command::ExportLook(package.slug, None));
+            }
+        });
+    });
+}
+
+/// Buttons for the languages alone.
+fn languages(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let text = "Or the shaders alone, with LOOK.json, for programs of your own:";
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
+        for language in export::LANGUAGES {
+            let button = ui.add(Button::new(language.short_label).small());
+            let help = format!("Writes the look as {} into a folder", language.label);
+            if button.on_hover_text(help).clicked() {
+                commands.push(Command::ExportLook(language.slug, None));
+            }
+        }
+    });
+}
+
+/// Bytes in words.
+fn weight(bytes: usize) -> String {
+    match bytes {
+        0..1_000 => format!("{bytes} bytes"),
+        1_000..1_000_000 => format!("{} kB", bytes / 1_000),
+        _ => format!("{:.1} MB", bytes as f64 / 1e6),
+    }
+}
+
+fn run(request: TrialRequest) -> Trial {
+    let TrialRequest { snapshot, stamp } = request;
+    let (mut look, mut library) = ((*snapshot.look).clone(), (*snapshot.library).clone());
+    let changed = export::take_carried_tiers(&mut look, &mut library);
+    let changed = changed.into_iter().map(|problem| problem.message).collect();
+    let needs = LookNeeds::of(&look, &library);
+    let mut assets = Assets::default();
+    let packages = match snapshot.setup(&mut assets) {
+        Err(problems) => PACKAGES.iter().map(|_| refusal(&problems)).collect(),
+        Ok(setup) => {
+            let mut setup = setup.value;
+            setup.looks[0].look = look;
+            PACKAGES
+                .iter()
+                .map(|package| try_package(package, &setup, &library, &mut assets))
+                .collect()
+        }
+    };
+    Trial { stamp, needs, packages, changed }
+}
+
+fn try_package(
+    package: &Package,
+    setup: &crate::frame::Setup,
+    library: &Library,
+    assets: &mut Assets,
+) -> PackageTrial {
+    let Some(scene) = PackageScene::of(setup) else {
+        return PackageTrial::Refuses("there is no mesh to show it on".to_owned(), Vec::new());
+    };
+    let worn = &setup.looks[0];
+    let place = (worn.folder.as_path(), assets);
+    match export_package(&worn.look, library, "look", package, &scene, place) {
+        Ok(exported) => PackageTrial::Takes {
+            files: exported.value.len(),
+            bytes: exported.value.iter().map(|file| file.bytes.len()).sum(),
+        },
+        Err(problems) => refusal(&problems),
+    }
+}
+
+fn refusal(problems: &[Diagnostic]) -> PackageTrial {
+    let first = problems.iter().find(|problem| problem.is_error()).or(problems.first());
+    match first {
+        Some(problem) => PackageTrial::Refuses(problem.message.clone(), problem.hints.clone()),
+        None => PackageTrial::Refuses("it cannot be exported".to_owned(), Vec::new()),
+    }
+}
