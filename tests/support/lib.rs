@@ -9,6 +9,7 @@ pub use chiaro_files;
 
 pub mod badf;
 pub mod cases;
+pub mod chromium;
 pub mod color;
 pub mod files;
 pub mod judges;

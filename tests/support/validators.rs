@@ -23,6 +23,8 @@ pub enum Tool {
     /// HLSL: `slangc` of the Slang project, by `tests/slang/requirements.txt`. Unlike the others it
     /// may be missing where the tools are required: `scripts/setup` needs Python's registry for it.
     Slang,
+    /// Pages of exported packages: Debian's `chromium`, driven by [`crate::chromium`].
+    Chromium,
 }
 
 impl Tool {
@@ -44,11 +46,12 @@ impl Tool {
                     && starts("node", "--version")
             }
             Self::Slang => starts(&slangc(), "-version"),
+            Self::Chromium => starts("chromium", "--version"),
         }
     }
 
     /// Result of a check without its tool: passes and prints a line, unless the tools are required.
-    fn missing(self) -> Result<(), String> {
+    pub(crate) fn missing(self) -> Result<(), String> {
         if tools_are_required() && self != Self::Slang {
             return Err(format!("{self} is missing: run scripts/setup"));
         }
@@ -64,6 +67,7 @@ impl fmt::Display for Tool {
             Self::SpirvVal => "spirv-val",
             Self::Tint => "Tint",
             Self::Slang => "slangc",
+            Self::Chromium => "Chromium",
         })
     }
 }
