@@ -24,7 +24,7 @@ use crate::validators::Tool;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Flags of the browser: no window, no network of its own, both graphics APIs in software.
-const FLAGS: [&str; 13] = [
+const FLAGS: [&str; 15] = [
     "--headless=new",
     "--no-sandbox",
     "--no-first-run",
@@ -36,6 +36,9 @@ const FLAGS: [&str; 13] = [
     "--enable-unsafe-swiftshader",
     "--enable-unsafe-webgpu",
     "--use-webgpu-adapter=swiftshader",
+    // Without these two, showing a WebGPU canvas ends the browser's process for graphics.
+    "--use-vulkan=swiftshader",
+    "--enable-features=Vulkan",
     "--force-color-profile=srgb",
     "--remote-debugging-pipe",
 ];
