@@ -1,0 +1,199 @@
+// Controls: a row for each exposed parameter, and for each light.
+
+const element = (tag, properties = {}, ...children) => {
+  const { dataset, style, ...others } = properties;
+  const made = Object.assign(document.createElement(tag), others);
+  Object.assign(made.dataset, dataset);
+  for (const [name, value] of Object.entries(style ?? {})) made.style.setProperty(name, value);
+  made.append(...children.filter((child) => child !== null && child !== undefined));
+  return made;
+};
+
+let lastId = 0;
+const freshId = () => `control-${(lastId += 1)}`;
+
+/** A number as people read it: four digits that count. */
+const shortNumber = (x) => String(Number(Number(x).toPrecision(4)));
+
+/** Radians are shown as degrees. */
+const DISPLAYED_UNITS = { rad: { factor: 180 / Math.PI, text: "°" } };
+
+/** Ends of a slider where the artist gave none: around the default. */
+function rangeOf({ min, max, default: value }) {
+  const size = Math.abs(value) || 1;
+  return [min ?? Math.min(0, 2 * value), max ?? (value > 0 && value <= 1 ? 1 : value + size)];
+}
+
+/**
+ * A row: a label, a value and a button that gives back the default. `control` makes what lies in
+ * it: `value` beside the label, `wide` below, `show(value)`, and `input`, which the label names.
+ */
+function row({ label, help, control, read, reset, isDefault }) {
+  const id = freshId();
+  control.input.id = id;
+  const name = element("label", { htmlFor: id, textContent: label, title: help ?? "" });
+  const back = element("button", {
+    type: "button", className: "reset", title: `Reset ${label}`, textContent: "↺", onclick: reset,
+  });
+  back.setAttribute("aria-label", `Reset ${label}`);
+  const made = element("div", { className: "row", title: help ?? "" }, name, control.value, back);
+  if (control.wide) made.append(control.wide);
+  if (help) {
+    const described = element("span", { id: `${id}-help`, className: "aside", textContent: help });
+    control.input.setAttribute("aria-describedby", described.id);
+    made.append(described);
+  }
+  const update = () => {
+    control.show(read());
+    back.disabled = isDefault();
+  };
+  return { made, update };
+}
+
+/** A slider with a number beside it. */
+function slider({ range: [least, most], unit, isWhole, set, label, isOpen }) {
+  const { factor = 1, text = unit ?? "" } = DISPLAYED_UNITS[unit] ?? {};
+  const step = isWhole ? 1 : "any";
+  const input = element("input", { type: "range", min: least, max: most, step });
+  const number = element("input", { type: "number", step });
+  number.setAttribute("aria-label", `${label}, as a number`);
+  input.oninput = () => set(Number(input.value));
+  number.onchange = () => {
+    const wanted = number.valueAsNumber / factor;
+    if (Number.isFinite(wanted)) set(isOpen ? wanted : clampNumber(wanted, least, most));
+  };
+  const show = (value) => {
+    input.value = value;
+    const share = (clampNumber(value, least, most) - least) / (most - least || 1);
+    input.style.setProperty("--share", `${100 * share}%`);
+    const shown = shortNumber(value * factor);
+    input.setAttribute("aria-valuetext", `${shown}${text}`);
+    if (document.activeElement !== number || number.valueAsNumber !== Number(shown)) {
+      number.value = shown;
+    }
+  };
+  const mark = text ? element("span", { className: "unit", textContent: text }) : null;
+  const value = element("span", { className: "value" }, number, mark);
+  return { input, value, wide: element("div", { className: "wide" }, input), show };
+}
+
+const clampNumber = (x, least, most) => Math.min(Math.max(x, least), most);
+
+function colorWell({ set, toHex }) {
+  const input = element("input", { type: "color" });
+  input.oninput = () => set(input.value);
+  return { input, value: input, show: (value) => (input.value = toHex(value)) };
+}
+
+function switchOf({ set }) {
+  const input = element("input", { type: "checkbox", className: "switch" });
+  input.setAttribute("role", "switch");
+  input.onchange = () => set(input.checked);
+  return { input, value: input, show: (value) => (input.checked = Boolean(value)) };
+}
+
+function choiceOf({ options, set }) {
+  const input = element("select", {}, ...options.map((word) => element("option", { textContent: word })));
+  input.onchange = () => set(input.value);
+  return { input, value: input, show: (value) => (input.value = value) };
+}
+
+/** Numbers side by side. */
+function numbersOf({ count, set, read, label }) {
+  const inputs = Array.from({ length: count }, (_, i) => {
+    const input = element("input", { type: "number", step: "any" });
+    input.setAttribute("aria-label", `${label} ${"xyzw"[i]}`);
+    input.onchange = () => {
+      const numbers = [...read()];
+      numbers[i] = input.valueAsNumber || 0;
+      set(numbers);
+    };
+    return input;
+  });
+  const wide = element("div", { className: "wide numbers" }, ...inputs);
+  const show = (value) => inputs.forEach((input, i) => (input.value = shortNumber(value[i] ?? 0)));
+  return { input: inputs[0], value: element("span"), wide, show };
+}
+
+/** What a value that is not live shows: it was decided when the shader was made. */
+function fixed(value) {
+  const text = Array.isArray(value) ? value.map(shortNumber).join(", ") : String(value);
+  const input = element("output", { textContent: text });
+  return { input, value: input, show: () => {} };
+}
+
+/** The control of a parameter; `null` for one that no control shows, such as a curve. */
+function controlOf(player, parameter) {
+  const { key, type, label, unit, options } = parameter;
+  const set = (value) => player.set(key, value);
+  const read = () => player.get(key);
+  if (!parameter.live) return ["curve", "ramp"].includes(type) ? null : fixed(parameter.default);
+  if (options?.length) return choiceOf({ options, set });
+  switch (type) {
+    case "float":
+    case "int":
+      return slider({ range: rangeOf(parameter), unit, isWhole: type === "int", set, label });
+    case "bool":
+    case "switch":
+      return switchOf({ set });
+    case "color":
+      return colorWell({ set, toHex: (value) => player.hexOf(value) });
+    case "vec2":
+    case "vec3":
+    case "vec4":
+      return numbersOf({ count: Number(type[3]), set, read, label });
+    default:
+      return null;
+  }
+}
+
+/** The row of a parameter. */
+function parameterRow(player, parameter) {
+  const { key, label, help } = parameter;
+  const control = controlOf(player, parameter);
+  if (!control) return null;
+  const made = row({
+    label,
+    help: parameter.live ? help : "Decided when the look was exported.",
+    control,
+    read: () => player.get(key),
+    reset: () => player.reset(key),
+    isDefault: () => !(key in player.values),
+  });
+  if (!parameter.live) made.made.classList.add("is-fixed");
+  return made;
+}
+
+/** The rows of a light: its color, and how bright it is. */
+function lightRows(player, light) {
+  const { id, label } = light;
+  const has = (field) => !player.lights[id] || !(field in player.lights[id]);
+  const reset = (field) => () => player.light(id, { [field]: light[field] });
+  const read = (field) => () => player.lightNow(id)[field];
+  const isSame = (field) => () => has(field) || String(read(field)()) === String(light[field]);
+  const color = row({
+    label: `${label}: color`,
+    help: "",
+    control: colorWell({
+      set: (hex) => player.light(id, { color: player.numbersOfHex(hex).slice(0, 3) }),
+      toHex: (value) => player.hexOf(value),
+    }),
+    read: read("color"),
+    reset: reset("color"),
+    isDefault: isSame("color"),
+  });
+  const intensity = row({
+    label: `${label}: intensity`,
+    help: "",
+    control: slider({
+      range: [0, Math.max(2, 2 * light.intensity)],
+      set: (value) => player.light(id, { intensity: Math.max(value, 0) }),
+      label: `${label}: intensity`,
+      isOpen: true,
+    }),
+    read: read("intensity"),
+    reset: reset("intensity"),
+    isDefault: isSame("intensity"),
+  });
+  return [color, intensity];
+}

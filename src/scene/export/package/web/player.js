@@ -1,0 +1,294 @@
+// The player: draws a look on a canvas, and draws again when something has changed. A page at rest
+// costs nothing.
+
+/** The image that a texture of a pass reads: the output of an earlier pass. */
+function sourceOf(pass, { name }) {
+  const input = pass.inputs?.find(({ binding }) => binding === name);
+  return input && `${input.pass}.${input.output}`;
+}
+
+/** True for an image whose numbers the sampler turns into linear light. */
+const isDecodedBySampling = (look, index) =>
+  look.colorSpace === "linear" && look.images[index].encoding === "color"
+  && look.images[index].kind !== "hcbtf";
+
+/** Executors, in the order in which they are tried. */
+const EXECUTORS = { webgpu: WebGpuExecutor, webgl2: WebGl2Executor };
+
+/** The most device pixels for a pixel of the page. */
+const MOST_PIXELS = 2;
+
+/** The canvas that events and styles are given to; a new one where another API has taken it. */
+function freshCanvas(canvas) {
+  const fresh = canvas.cloneNode(false);
+  canvas.replaceWith(fresh);
+  return fresh;
+}
+
+class Player extends EventTarget {
+  /**
+   * Draws a look on a canvas. Rejects, with the reason in words, where that cannot be.
+   *
+   * @param canvas a canvas of the page; a fresh one takes its place where an API fails on it.
+   * @param content `look`, `scene` and `textures`, as the package's scripts define them.
+   * @param options `api`: `webgpu` or `webgl2`, else the first that works. `samples`: 1, or 4 for
+   *   smooth edges.
+   */
+  static async open(canvas, { look, scene, textures = {} }, { api, samples = 4 } = {}) {
+    const player = new Player();
+    const images = await readImages(look, textures);
+    const mesh = readMesh(scene.mesh);
+    mesh.isMirrored = determinant3(linear3(mesh.worldFromObject)) < 0;
+    Object.assign(player, { canvas, look, scene, mesh, samples });
+    player.content = { look, mesh, images, samples };
+    player.reset();
+    const names = api ? [api] : Object.keys(EXECUTORS);
+    const failures = [];
+    for (const name of names) {
+      if (failures.length) player.canvas = freshCanvas(player.canvas);
+      try {
+        if (!EXECUTORS[name]) throw new Error(`it is webgpu or webgl2, not ${name}`);
+        player.executor = await EXECUTORS[name].create(player.canvas, player.content);
+        break;
+      } catch (failure) {
+        failures.push(`${name}: ${failure.message}`);
+      }
+    }
+    if (!player.executor) throw new Error(failures.join("; "));
+    player.failures = failures;
+    player.executor.onLost((reason) => player.tell("lost", reason));
+    player.watchSize();
+    return player;
+  }
+
+  /** Name of the API that draws: `WebGPU` or `WebGL 2`. */
+  get api() {
+    return this.executor.label;
+  }
+
+  // Values.
+
+  /** Sets an exposed parameter by the name that the artist gave it. */
+  set(key, value) {
+    const parameter = this.look.parameters.find((one) => one.key === key);
+    if (!parameter) {
+      const known = this.look.parameters.map((one) => one.key).join(", ");
+      throw new Error(`there is no parameter ${key}; there are: ${known || "none"}`);
+    }
+    this.values[key] = value;
+    this.invalidate();
+    this.tell("value", key);
+  }
+
+  /** The value of an exposed parameter. */
+  get(key) {
+    const parameter = this.look.parameters.find((one) => one.key === key);
+    return key in this.values ? this.values[key] : parameter?.default;
+  }
+
+  /** Sets fields of a light, in its own frame: `direction`, `position`, `color`, `intensity`... */
+  light(id, fields) {
+    if (!this.look.lights.some((one) => one.id === id)) {
+      const known = this.look.lights.map((one) => one.id).join(", ");
+      throw new Error(`there is no light ${id}; there are: ${known || "none"}`);
+    }
+    this.lights[id] = { ...this.lights[id], ...fields };
+    this.invalidate();
+    this.tell("light", id);
+  }
+
+  /** A light with its values as they are now. */
+  lightNow(id) {
+    return { ...this.look.lights.find((one) => one.id === id), ...this.lights[id] };
+  }
+
+  /** Gives everything, or one parameter, the value that it has in the look. */
+  reset(key) {
+    if (key !== undefined) {
+      delete this.values[key];
+      this.tell("value", key);
+    } else {
+      this.values = {};
+      this.lights = {};
+      this.illumination = this.scene.illumination ?? identity3;
+      this.camera = { ...this.scene.camera };
+      this.time = 0;
+      this.tell("reset");
+    }
+    this.invalidate();
+  }
+
+  /** `#rrggbb` of a color of the look, or of one that is written so already. */
+  hexOf(color) {
+    if (typeof color === "string") return color.slice(0, 7);
+    return hexFromColor(this.look.colorSpace === "linear" ? color.map(encode) : color);
+  }
+
+  /** The numbers of a color that is written as `#rrggbb`, in the look's own space. */
+  numbersOfHex(hex) {
+    const [r, g, b, a] = colorFromHex(hex);
+    return this.look.colorSpace === "linear" ? [decode(r), decode(g), decode(b), a] : [r, g, b, a];
+  }
+
+  /** The rotation from a light's own frame to the world. */
+  worldFromLight({ space }, view) {
+    if (space === "camera") return transpose3(view.rotation);
+    if (space === "object") return objectAxes(this.mesh.worldFromObject);
+    return space === "world" ? identity3 : this.illumination;
+  }
+
+  /** True where the picture changes with time. */
+  get isAnimated() {
+    const bytes = (time) => {
+      const state = { ...this.state(this.view([64, 64]), [64, 64]), time, frame: Math.floor(time * 24) };
+      return Object.values(this.look.modules).flatMap(({ prepare }) =>
+        prepare ? [...new Uint8Array(prepare(state))] : []);
+    };
+    const [first, ...others] = [0, 0.37, 1.9, 7.3].map((time) => String(bytes(time)));
+    return others.some((other) => other !== first);
+  }
+
+  // Frames.
+
+  view(size, camera = this.camera) {
+    const clip = this.executor?.clip ?? { depthFromZero: true };
+    return viewOf(camera, size, this.mesh.sphere, clip);
+  }
+
+  /** What `prepare` of the look asks for. */
+  state(view, size) {
+    const parameters = Object.fromEntries(this.look.parameters.map(({ key, type }) => {
+      const value = this.get(key);
+      const isHex = type === "color" && typeof value === "string";
+      return [key, isHex ? this.numbersOfHex(value) : value];
+    }));
+    return {
+      parameters,
+      lights: this.lights,
+      illumination: this.illumination,
+      camera: { rotation: view.rotation, eye: view.eye, parallel: view.parallel, toward: view.toward },
+      object: {
+        id: 0,
+        axes: objectAxes(this.mesh.worldFromObject),
+        middle: transformPoint(this.mesh.worldFromObject, this.mesh.middle),
+      },
+      viewport: size,
+      time: this.time,
+      frame: Math.floor(24 * this.time),
+    };
+  }
+
+  /** Everything that an executor asks for while it draws. */
+  frame(size, samples, camera) {
+    const view = this.view(size, camera);
+    const state = this.state(view, size);
+    const looks = new Map();
+    const lookBytes = (module) => {
+      if (!looks.has(module)) looks.set(module, this.look.modules[module].prepare(state));
+      return looks.get(module);
+    };
+    const bytes = (module, binding, part) => {
+      switch (binding.feed.from) {
+        case "look": return lookBytes(module);
+        case "view": return pack(binding, viewValues(view));
+        case "object": return pack(binding, objectValues(this.mesh, this.mesh.parts[part].material));
+        default: return pack(binding, numbersOf(view, size, samples));
+      }
+    };
+    const { center, radius } = this.mesh.sphere;
+    const isWithin = length(subtract(view.eye, center)) < radius;
+    const drawsBoth = (pass, part) => part.twoSided || isWithin || this.cuts(pass, state);
+    return { size, samples, bytes, drawsBoth };
+  }
+
+  /** True where the look cuts parts away, so that backs are seen through them. */
+  cuts(pass, state) {
+    const by = pass.sides_parameter;
+    const key = typeof by === "number" ? this.look.parameters[by]?.key : by;
+    return key === undefined || key === null
+      ? pass.sides === "both"
+      : Number(state.parameters[key]) > 0;
+  }
+
+  /** Has the page drawn again before it is shown next. */
+  invalidate() {
+    if (!this.executor || this.awaited) return;
+    this.awaited = requestAnimationFrame((now) => {
+      this.awaited = 0;
+      if (this.isPlaying) {
+        this.time += Math.min((now - (this.last ?? now)) / 1000, 0.1);
+        this.last = now;
+        this.invalidate();
+      }
+      this.draw();
+    });
+  }
+
+  play(isPlaying) {
+    this.isPlaying = isPlaying;
+    this.last = undefined;
+    this.invalidate();
+  }
+
+  draw() {
+    const { width, height } = this.canvas;
+    if (!width || !height) return;
+    try {
+      this.executor.show(this.frame([width, height], this.samples));
+      this.drawn = (this.drawn ?? 0) + 1;
+      this.tell("drawn");
+    } catch (failure) {
+      this.isPlaying = false;
+      this.tell("lost", failure.message);
+    }
+  }
+
+  /**
+   * The picture at another size, as `ImageData`: straight RGBA of 8 bits, the top row first,
+   * transparent where nothing is.
+   *
+   * @param options `camera`, else the page's; `samples`, 1 or 4, else the page's.
+   */
+  async picture(width, height, { camera, samples = this.samples } = {}) {
+    const whole = { ...this.camera, ...camera };
+    const numbers = await this.executor.read(this.frame([width, height], samples, whole));
+    const isLinear = this.look.colorSpace === "linear";
+    const pixels = new Uint8ClampedArray(numbers.length);
+    for (let at = 0; at < numbers.length; at += 4) {
+      const alpha = numbers[at + 3];
+      for (let i = 0; i < 3; i++) {
+        const straight = alpha > 0 ? numbers[at + i] / alpha : 0;
+        const shown = isLinear ? encode(Math.max(straight, 0)) : straight;
+        pixels[at + i] = Math.floor(255 * clamp(shown, 0, 1) + 0.5);
+      }
+      pixels[at + 3] = Math.floor(255 * clamp(alpha, 0, 1) + 0.5);
+    }
+    return new ImageData(pixels, width, height);
+  }
+
+  /** Draws again, at the right size, when the canvas has another one. */
+  watchSize() {
+    this.sizes = new ResizeObserver(() => {
+      const pixels = Math.min(devicePixelRatio || 1, MOST_PIXELS);
+      const { clientWidth, clientHeight } = this.canvas;
+      const size = [clientWidth, clientHeight].map((side) => Math.min(Math.round(side * pixels), 8192));
+      if (size[0] === this.canvas.width && size[1] === this.canvas.height) return;
+      [this.canvas.width, this.canvas.height] = size;
+      this.draw();
+    });
+    this.sizes.observe(this.canvas);
+  }
+
+  /** Tells listeners of `value`, `light`, `view`, `reset`, `drawn` or `lost`. */
+  tell(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  /** Frees the graphics card. */
+  close() {
+    cancelAnimationFrame(this.awaited);
+    this.sizes?.disconnect();
+    this.executor.destroy();
+    this.executor = null;
+  }
+}
