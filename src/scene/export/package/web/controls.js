@@ -164,36 +164,33 @@ function parameterRow(player, parameter) {
   return made;
 }
 
-/** The rows of a light: its color, and how bright it is. */
-function lightRows(player, light) {
+/** The row of a light: its color, and how bright it is. */
+function lightRow(player, light) {
   const { id, label } = light;
-  const has = (field) => !player.lights[id] || !(field in player.lights[id]);
-  const reset = (field) => () => player.light(id, { [field]: light[field] });
-  const read = (field) => () => player.lightNow(id)[field];
-  const isSame = (field) => () => has(field) || String(read(field)()) === String(light[field]);
-  const color = row({
-    label: `${label}: color`,
-    help: "",
-    control: colorWell({
-      set: (hex) => player.light(id, { color: player.numbersOfHex(hex).slice(0, 3) }),
-      toHex: (value) => player.hexOf(value),
-    }),
-    read: read("color"),
-    reset: reset("color"),
-    isDefault: isSame("color"),
+  const name = label || id;
+  const color = colorWell({
+    set: (hex) => player.light(id, { color: player.numbersOfHex(hex).slice(0, 3) }),
+    toHex: (value) => player.hexOf(value),
   });
-  const intensity = row({
-    label: `${label}: intensity`,
-    help: "",
-    control: slider({
-      range: [0, Math.max(2, 2 * light.intensity)],
-      set: (value) => player.light(id, { intensity: Math.max(value, 0) }),
-      label: `${label}: intensity`,
-      isOpen: true,
-    }),
-    read: read("intensity"),
-    reset: reset("intensity"),
-    isDefault: isSame("intensity"),
+  color.input.setAttribute("aria-label", `${name}: color`);
+  const bright = slider({
+    range: [0, Math.max(2, 2 * light.intensity)],
+    set: (value) => player.light(id, { intensity: Math.max(value, 0) }),
+    label: `${name}: intensity`,
+    isOpen: true,
   });
-  return [color, intensity];
+  const value = element("span", { className: "value" }, color.input, bright.value);
+  const show = (now) => {
+    color.show(now.color);
+    bright.show(now.intensity);
+  };
+  const fields = ["color", "intensity", "direction", "position", "aim"];
+  return row({
+    label: name,
+    help: "The light's color, and how bright it is.",
+    control: { ...bright, value, show },
+    read: () => player.lightNow(id),
+    reset: () => player.resetLight(id),
+    isDefault: () => fields.every((field) => String(player.lightNow(id)[field]) === String(light[field])),
+  });
 }

@@ -13,14 +13,23 @@
 
 mod scene;
 
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use crate::export::{ExportFile, header};
-use crate::frame::Setup;
+use super::super::ExportFile;
+use super::{Package, PackageRequest};
+use crate::diag::Diagnostic;
+
+/// The package.
+pub(super) const PACKAGE: Package = Package {
+    slug: "web",
+    label: "Web page",
+    help: "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed.",
+    opens: Some("index.html"),
+    write,
+};
 
 /// The page's markup, with places for the look's name and for the name of its files.
 const PAGE: &str = include_str!("index.html");
@@ -32,11 +41,12 @@ const README: &str = include_str!("README.md");
 const STYLE: &str = include_str!("style.css");
 
 /// Parts of the player, in the order in which they are joined.
-const PLAYER: [&str; 9] = [
+const PLAYER: [&str; 10] = [
     include_str!("math.js"),
     include_str!("camera.js"),
     include_str!("assets.js"),
     include_str!("uniforms.js"),
+    include_str!("shadows.js"),
     include_str!("webgpu.js"),
     include_str!("webgl2.js"),
     include_str!("player.js"),
@@ -47,36 +57,21 @@ const PLAYER: [&str; 9] = [
 /// Parts of the page around the player.
 const CONTROLS: [&str; 2] = [include_str!("controls.js"), include_str!("page.js")];
 
-/// What the page of a look is made of.
-#[derive(Debug)]
-pub struct Page<'a> {
-    /// Name of the look, for people.
-    pub title: &'a str,
-    /// Beginning of the names of the look's files: the script of the look is `stem.js`.
-    pub stem: &'a str,
-    /// The object that wears the look, the camera and the backdrop.
-    pub setup: &'a Setup,
-    /// Names of the vertices' attributes that the look's modules read.
-    pub attributes: BTreeSet<&'a str>,
-    /// Images that the look reads, under the names that the look's script has for them.
-    pub images: &'a [ExportFile],
-    /// Names that the artist gave to the exposed parameters.
-    pub parameters: Vec<&'a str>,
-}
-
-/// The files of a page beside the look's own script.
-pub fn files(page: &Page<'_>) -> Vec<ExportFile> {
-    let title = header::title(page.title);
+/// The files of the package.
+fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
+    let title = request.title;
+    let look = format!("// {}\nconst look = {};\n", made(title, "the look"), request.javascript);
     let texts = [
-        ("index.html", filled(PAGE, page)),
-        ("style.css", format!("/* {} */\n\n{STYLE}", made(&title, "how the page looks"))),
-        ("scene.js", scene::script(page, &made(&title, "the mesh, the camera and the backdrop"))),
-        ("textures.js", textures(page.images, &made(&title, "the images that the look reads"))),
-        ("player.js", joined(&PLAYER, &made(&title, "what draws the look on a canvas"))),
-        ("page.js", joined(&CONTROLS, &made(&title, "the page's tools and settings"))),
-        ("README.md", filled(README, page)),
+        ("index.html", filled(PAGE, request)),
+        ("style.css", format!("/* {} */\n\n{STYLE}", made(title, "how the page looks"))),
+        (&*format!("{}.js", request.stem), look),
+        ("scene.js", scene::script(request, &made(title, "the mesh, the camera and the backdrop"))),
+        ("textures.js", textures(request.textures, &made(title, "the images that the look reads"))),
+        ("player.js", joined(&PLAYER, &made(title, "what draws the look on a canvas"))),
+        ("page.js", joined(&CONTROLS, &made(title, "the page's tools and settings"))),
+        ("README.md", filled(README, request)),
     ];
-    texts.map(|(name, text)| ExportFile::text(name.to_owned(), text)).into()
+    Ok(texts.map(|(name, text)| ExportFile::text(name.to_owned(), text)).into())
 }
 
 /// The line that tells a file of an export from others.
@@ -90,18 +85,26 @@ fn joined(parts: &[&str], made: &str) -> String {
 }
 
 /// A template with its places filled.
-fn filled(template: &str, page: &Page<'_>) -> String {
-    let names: Vec<_> = page.parameters.iter().map(|name| format!("`{name}`")).collect();
-    let (parameters, first) = match page.parameters.first() {
-        Some(first) => (format!("The look has these: {}.", names.join(", ")), *first),
-        None => ("The look has none: expose some in Chiaro and export again.".to_owned(), "name"),
+fn filled(template: &str, request: &PackageRequest<'_>) -> String {
+    let parameters = &request.description.parameters;
+    let names: Vec<String> =
+        parameters.iter().filter_map(|one| Some(one.name.as_ref()?.to_string())).collect();
+    let listed: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let parameters = if names.is_empty() {
+        "The look has none: expose some in Chiaro and export again.".to_owned()
+    } else {
+        format!("The look has these: {}.", listed.join(", "))
     };
+    let example = names.first().map_or_else(
+        || "player.light(look.lights[0].id, { intensity: 2 });".to_owned(),
+        |name| format!("player.set(\"{name}\", player.get(\"{name}\"));"),
+    );
     template
-        .replace("{{title}}", &escaped(&header::title(page.title)))
-        .replace("{{stem}}", page.stem)
+        .replace("{{title}}", &escaped(request.title))
+        .replace("{{stem}}", request.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{parameters}}", &parameters)
-        .replace("{{parameter}}", first)
+        .replace("{{example}}", &example)
 }
 
 /// A text as HTML and Markdown write it.

@@ -95,8 +95,9 @@ function fillTools(player) {
 
 /** Saves the picture as the page shows it, without the backdrop. */
 async function save(player) {
-  const picture = await player.picture(player.canvas.width, player.canvas.height);
-  const canvas = element("canvas", { width: picture.width, height: picture.height });
+  const { width, height } = player.canvas;
+  const picture = await player.picture(width, height, { camera: player.pageCamera });
+  const canvas = element("canvas", { width, height });
   canvas.getContext("2d").putImageData(picture, 0, 0);
   canvas.toBlob((blob) => {
     const href = URL.createObjectURL(blob);
@@ -121,7 +122,7 @@ function fillPanel(player) {
     groups.set(group, [...(groups.get(group) ?? []), parameterRow(player, parameter)]);
   }
   for (const [group, found] of groups) section(group, found);
-  section("Lights", look.lights.flatMap((light) => lightRows(player, light)));
+  section("Lights", look.lights.map((light) => lightRow(player, light)));
   const all = element("button", { type: "button", className: "all", textContent: "Reset all" });
   all.onclick = () => player.reset();
   const help = "Drag turns what is chosen below the picture; with Shift all lights. The wheel or two "
@@ -132,12 +133,12 @@ function fillPanel(player) {
   byId("panel").append(all, text);
   const update = () => {
     rows.forEach((one) => one.update());
-    all.disabled = !Object.keys(player.values).length && !Object.keys(player.lights).length;
+    all.disabled = player.isUntouched;
     for (const dot of document.querySelectorAll("[data-light]")) {
       dot.style.setProperty("--color", player.hexOf(player.lightNow(dot.dataset.light).color));
     }
   };
-  for (const event of ["value", "light", "reset"]) player.addEventListener(event, update);
+  for (const event of ["value", "light", "view", "reset"]) player.addEventListener(event, update);
   update();
   byId("panel").hidden = !rows.length;
 }
@@ -159,8 +160,8 @@ async function start() {
     player.addEventListener("lost", ({ detail }) => tellProblem(
       "The picture stopped.", "Reload the page to draw it again.", detail,
     ));
-    fillPanel(player);
     fillTools(player);
+    fillPanel(player);
   } catch (failure) {
     console.error(failure);
     tellProblem(

@@ -97,9 +97,14 @@ class Player extends EventTarget {
     this.tell("light", id);
   }
 
-  /** A light with its values as they are now. */
+  /** A light with its values as they are now: the look's, those of parameters, those that are set. */
   lightNow(id) {
-    return { ...this.look.lights.find((one) => one.id === id), ...this.lights[id] };
+    const light = { ...this.look.lights.find((one) => one.id === id) };
+    for (const { key, target } of this.look.parameters) {
+      const [kind, of, field] = target?.split(".") ?? [];
+      if (kind === "lights" && of === id && key in this.values) light[field] = this.values[key];
+    }
+    return { ...light, ...this.lights[id] };
   }
 
   /** Gives everything, or one parameter, the value that it has in the look. */
@@ -110,12 +115,25 @@ class Player extends EventTarget {
     } else {
       this.values = {};
       this.lights = {};
-      this.illumination = this.scene.illumination ?? identity3;
+      this.illumination = [...this.scene.illumination];
       this.camera = { ...this.scene.camera };
       this.time = 0;
       this.tell("reset");
     }
     this.invalidate();
+  }
+
+  /** Gives a light the values that it has in the look. */
+  resetLight(id) {
+    delete this.lights[id];
+    this.invalidate();
+    this.tell("light", id);
+  }
+
+  /** True while everything is as the look has it, but for the view. */
+  get isUntouched() {
+    const isTurned = this.illumination.some((x, i) => x !== this.scene.illumination[i]);
+    return !isTurned && ![this.values, this.lights].some((set) => Object.keys(set).length);
   }
 
   /** `#rrggbb` of a color of the look, or of one that is written so already. */
@@ -155,8 +173,35 @@ class Player extends EventTarget {
     return viewOf(camera, size, this.mesh.sphere, clip);
   }
 
+  /** The shadow maps of a picture; `null` for a look that asks for none. */
+  shadows(view, size) {
+    if (!this.look.passes.some(({ draws }) => draws === "lights")) return null;
+    const asks = ({ fields }) => fields?.includes("light.shadow_map") ?? true;
+    const lights = this.look.lights.filter(asks).map(({ id }) => {
+      const light = this.lightNow(id);
+      const worldFromOwn = this.worldFromLight(light, view);
+      const origin = light.space === "object" ? this.middle : [0, 0, 0];
+      return {
+        id,
+        isLamp: light.type !== "directional",
+        toward: turn(worldFromOwn, normalize(light.direction)),
+        position: add(origin, turn(worldFromOwn, light.position)),
+      };
+    });
+    return shadowMaps(lights, this.mesh.sphere, size[1], this.executor.clip);
+  }
+
+  /** The middle of the mesh's box, in world space. */
+  get middle() {
+    return transformPoint(this.mesh.worldFromObject, this.mesh.middle);
+  }
+
   /** What `prepare` of the look asks for. */
-  state(view, size) {
+  state(view, size, shadows) {
+    const lights = { ...this.lights };
+    for (const [id, place] of Object.entries(shadows?.places ?? {})) {
+      lights[id] = { ...lights[id], shadow_map: place };
+    }
     const parameters = Object.fromEntries(this.look.parameters.map(({ key, type }) => {
       const value = this.get(key);
       const isHex = type === "color" && typeof value === "string";
@@ -164,13 +209,13 @@ class Player extends EventTarget {
     }));
     return {
       parameters,
-      lights: this.lights,
+      lights,
       illumination: this.illumination,
       camera: { rotation: view.rotation, eye: view.eye, parallel: view.parallel, toward: view.toward },
       object: {
         id: 0,
         axes: objectAxes(this.mesh.worldFromObject),
-        middle: transformPoint(this.mesh.worldFromObject, this.mesh.middle),
+        middle: this.middle,
       },
       viewport: size,
       time: this.time,
@@ -181,24 +226,28 @@ class Player extends EventTarget {
   /** Everything that an executor asks for while it draws. */
   frame(size, samples, camera) {
     const view = this.view(size, camera);
-    const state = this.state(view, size);
+    const shadows = this.shadows(view, size);
+    const state = this.state(view, size, shadows);
     const looks = new Map();
     const lookBytes = (module) => {
       if (!looks.has(module)) looks.set(module, this.look.modules[module].prepare(state));
       return looks.get(module);
     };
-    const bytes = (module, binding, part) => {
+    // `number` is that of a part of the mesh, or of a layer of shadow maps.
+    const bytes = (module, binding, number) => {
       switch (binding.feed.from) {
         case "look": return lookBytes(module);
         case "view": return pack(binding, viewValues(view));
-        case "object": return pack(binding, objectValues(this.mesh, this.mesh.parts[part].material));
+        case "object": return pack(binding, objectValues(this.mesh, this.mesh.parts[number].material));
+        case "light_layer": return pack(binding, shadows.layers[number]);
+        case "light_caster": return pack(binding, casterValues(this.mesh));
         default: return pack(binding, numbersOf(view, size, samples));
       }
     };
     const { center, radius } = this.mesh.sphere;
     const isWithin = length(subtract(view.eye, center)) < radius;
     const drawsBoth = (pass, part) => part.twoSided || isWithin || this.cuts(pass, state);
-    return { size, samples, bytes, drawsBoth };
+    return { size, samples, bytes, drawsBoth, shadows };
   }
 
   /** True where the look cuts parts away, so that backs are seen through them. */
@@ -230,11 +279,16 @@ class Player extends EventTarget {
     this.invalidate();
   }
 
+  /** The camera of the page: a page that is higher than wide shows as much in width. */
+  get pageCamera() {
+    return { ...this.camera, aspect: this.camera.aspect || 1 };
+  }
+
   draw() {
     const { width, height } = this.canvas;
     if (!width || !height) return;
     try {
-      this.executor.show(this.frame([width, height], this.samples));
+      this.executor.show(this.frame([width, height], this.samples, this.pageCamera));
       this.drawn = (this.drawn ?? 0) + 1;
       this.tell("drawn");
     } catch (failure) {

@@ -5,24 +5,23 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use glam::{DMat4, DQuat};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
-use super::Page;
+use super::super::super::pretty::pretty;
+use super::super::{PackageRequest, PackageScene};
 use crate::document::{Camera, Projection};
-use crate::export::pretty::pretty;
-use crate::frame::SetupObject;
 use crate::geometry::{Mesh, MeshPart};
 
 /// The script of the scene; `made` is its first line.
-pub(super) fn script(page: &Page<'_>, made: &str) -> String {
-    let scene = &page.setup.scene;
-    let turn = DQuat::from_array(scene.illumination);
+pub(super) fn script(request: &PackageRequest<'_>, made: &str) -> String {
+    let scene = request.scene;
+    let entries = request.description.modules.iter().flat_map(|module| &module.entry_points);
+    let attributes = entries.flat_map(|entry| entry.attributes.iter().map(|it| it.name.as_str()));
     let described = json!({
         "camera": camera(&scene.camera),
         "backdrop": scene.backdrop,
-        "illumination": glam::DMat3::from_quat(turn).to_cols_array(),
-        "mesh": page.setup.objects.first().map(|object| mesh(object, page)),
+        "illumination": glam::DMat3::IDENTITY.to_cols_array(),
+        "mesh": mesh(scene, attributes),
     });
     format!("// {made}\nconst scene = {};\n", pretty(&described).trim_end())
 }
@@ -35,24 +34,29 @@ fn camera(camera: &Camera) -> Value {
     })
 }
 
-fn mesh(object: &SetupObject, page: &Page<'_>) -> Value {
-    let mesh: &Mesh = &object.mesh;
+/// The mesh with those attributes that shaders read.
+fn mesh<'a>(scene: &PackageScene, attributes: impl Iterator<Item = &'a str>) -> Value {
+    let mesh: &Mesh = &scene.mesh;
+    let (matrix, bounds) = (scene.world_from_object, mesh.bounds());
+    let (scale, ..) = matrix.to_scale_rotation_translation();
     let part = |(material, part): (usize, &MeshPart)| {
         json!({
             "first": part.indices.start, "count": part.indices.len(),
             "twoSided": part.two_sided, "material": material,
         })
     };
-    let attributes = page.attributes.iter().filter_map(|name| Some((*name, array(mesh, name)?)));
-    let matrix: DMat4 = object.world_from_object;
+    let arrays: Map<String, Value> = attributes
+        .filter_map(|name| Some((name.to_owned(), array(mesh, name)?.into())))
+        .collect();
     json!({
         "worldFromObject": matrix.to_cols_array(),
-        "middle": mesh.bounds().center().to_array(),
-        "sphere": {"center": object.center().to_array(), "radius": object.radius()},
+        "middle": bounds.center().to_array(),
+        "sphere": {
+            "center": matrix.transform_point3(bounds.center()).to_array(),
+            "radius": bounds.radius * scale.abs().max_element(),
+        },
         "parts": mesh.parts.iter().enumerate().map(part).collect::<Vec<_>>(),
-        "attributes": attributes.map(|(name, text)| (name.to_owned(), text.into())).collect::<
-            serde_json::Map<_, _>,
-        >(),
+        "attributes": arrays,
         "indices": encoded(mesh.indices.iter().map(|index| index.to_le_bytes())),
     })
 }
@@ -76,52 +80,4 @@ fn floats<const N: usize>(vectors: &[[f32; N]]) -> String {
 
 fn encoded(words: impl Iterator<Item = [u8; 4]>) -> String {
     STANDARD.encode(words.flatten().collect::<Vec<u8>>())
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use super::*;
-    use crate::document::Look;
-    use crate::frame::{Assets, Setup, SetupLook, default_setup};
-
-    fn setup_of(shape: &str) -> Setup {
-        let loaded = Look::read(r#"{"nodes": [{"kind": "output"}]}"#, "a.json");
-        let (look, source) = (loaded.value.unwrap(), loaded.source.into());
-        let look = SetupLook { look, source, folder: Path::new("").into() };
-        default_setup(look, &format!("shape:{shape}"), &mut Assets::default()).unwrap().value
-    }
-
-    fn script_of(setup: &Setup, attributes: &[&str]) -> String {
-        let attributes = attributes.iter().copied().collect();
-        let (images, parameters) = (&[][..], Vec::new());
-        let page = Page { title: "A", stem: "a", setup, attributes, images, parameters };
-        script(&page, "A: made by Chiaro.")
-    }
-
-    /// Arrays of the script are the mesh's own numbers.
-    #[test]
-    fn arrays_are_the_meshes_numbers() {
-        let setup = setup_of("sphere");
-        let text = script_of(&setup, &["normal", "position", "uv"]);
-        let json = text.split_once("const scene = ").unwrap().1.trim().trim_end_matches(';');
-        let scene: Value = serde_json::from_str(json).unwrap();
-        let mesh = &setup.objects[0].mesh;
-        let array = |name: &str| STANDARD.decode(name).unwrap();
-        let attributes = &scene["mesh"]["attributes"];
-        let numbers: Vec<f32> = array(attributes["uv"].as_str().unwrap())
-            .chunks_exact(4)
-            .map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()))
-            .collect();
-        assert_eq!(numbers, mesh.uvs.as_flattened());
-        assert!(attributes["tangent"].is_null(), "what no module reads is left out");
-        assert_eq!(scene["mesh"]["parts"][0]["count"], mesh.indices.len());
-        if let Ok(out) = std::env::var("DEV_SCENE") {
-            for shape in ["creature", "knot", "sphere", "plane"] {
-                let text = script_of(&setup_of(shape), &["normal", "position", "uv", "tangent", "color"]);
-                std::fs::write(format!("{out}/{shape}.js"), text).unwrap();
-            }
-        }
-    }
 }

@@ -42,6 +42,9 @@ const objectValues = (mesh, material) => ({
   look: 0,
 });
 
+/** Values of the uniform of a mesh that casts shadows; objects count from 1. */
+const casterValues = (mesh) => ({ world_from_object: mesh.worldFromObject, number: 1 });
+
 /** Numbers of the view that passes over the picture ask for. */
 const numbersOf = (view, size, samples) => ({
   pixel: view.pixel,

@@ -238,12 +238,13 @@ class WebGl2Executor {
   run(frame, targets) {
     const { gl } = this;
     const [width, height] = frame.size;
-    gl.viewport(0, 0, width, height);
     gl.depthFunc(gl.LESS);
     gl.depthMask(true);
     // Rows run the other way, and so do corners.
     gl.frontFace(this.mesh.isMirrored ? gl.CCW : gl.CW);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    if (frame.shadows) this.runShadows(frame);
+    gl.viewport(0, 0, width, height);
     for (const pass of this.look.passes) {
       if (pass.draws !== "lights") this.runPass(pass, frame, targets);
     }
@@ -253,6 +254,70 @@ class WebGl2Executor {
       const box = [0, 0, width, height];
       gl.blitFramebuffer(...box, ...box, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     }
+  }
+
+  /** Draws what lights see, where a light has moved since it was drawn last. */
+  runShadows(frame) {
+    const { gl } = this;
+    const { side, layers } = frame.shadows;
+    const passes = this.look.passes.filter(({ draws }) => draws === "lights");
+    if (this.shadows?.side !== side || this.shadows.count !== layers.length) {
+      this.shadows?.destroy();
+      this.shadows = this.shadowTargets(passes, side, layers.length);
+    }
+    const drawn = JSON.stringify(layers);
+    if (drawn === this.shadows.drawn) return;
+    this.shadows.drawn = drawn;
+    gl.viewport(0, 0, side, side);
+    this.enable(gl.BLEND, false);
+    this.enable(gl.CULL_FACE, false);
+    this.enable(gl.DEPTH_TEST, true);
+    for (const pass of passes) {
+      const module = this.modules[pass.module];
+      gl.useProgram(module.program);
+      gl.bindVertexArray(module.vertices);
+      layers.forEach((_, layer) => {
+        this.bind(pass, module, frame, this.shadows, layer);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadows.framebuffers[pass.name][layer]);
+        pass.outputs.forEach(({ clear }, i) => gl.clearBufferfv(gl.COLOR, i, clear));
+        gl.clearBufferfv(gl.DEPTH, 0, [1]);
+        gl.drawElements(gl.TRIANGLES, this.mesh.indices.length, gl.UNSIGNED_INT, 0);
+      });
+    }
+  }
+
+  /** The textures of shadow maps, with a framebuffer for each layer of each pass. */
+  shadowTargets(passes, side, count) {
+    const { gl } = this;
+    const made = [];
+    const depth = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, side, side);
+    made.push(() => gl.deleteRenderbuffer(depth));
+    const found = { side, count, images: {}, framebuffers: {} };
+    for (const pass of passes) {
+      const textures = pass.outputs.map(({ name }) => {
+        const texture = gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+        gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA32F, side, side, Math.max(count, 2));
+        found.images[`${pass.name}.${name}`] = { target: gl.TEXTURE_2D_ARRAY, texture };
+        made.push(() => gl.deleteTexture(texture));
+        return texture;
+      });
+      found.framebuffers[pass.name] = Array.from({ length: count }, (_, layer) => {
+        const framebuffer = gl.createFramebuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        textures.forEach((texture, i) =>
+          gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, texture, 0, layer));
+        gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+        const kind = gl.RENDERBUFFER;
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, kind, depth);
+        made.push(() => gl.deleteFramebuffer(framebuffer));
+        return framebuffer;
+      });
+    }
+    found.destroy = () => made.forEach((free) => free());
+    return found;
   }
 
   runPass(pass, frame, targets) {
@@ -299,7 +364,10 @@ class WebGl2Executor {
         continue;
       }
       const isImage = feed.from === "image";
-      const source = isImage ? this.textures[feed.image] : targets.images[sourceOf(pass, binding)];
+      const key = sourceOf(pass, binding);
+      const source = isImage
+        ? this.textures[feed.image]
+        : (targets.images[key] ?? this.shadows.images[key]);
       gl.activeTexture(gl.TEXTURE0 + place);
       gl.bindTexture(source.target, source.texture);
       gl.bindSampler(place, isImage ? this.samplers[feed.image] : this.nearest);
@@ -343,8 +411,23 @@ class WebGl2Executor {
     this.run(frame, targets);
     gl.bindFramebuffer(gl.FRAMEBUFFER, targets.resolved);
     const numbers = new Float32Array(4 * width * height);
+    // By way of a buffer, so that the page need not wait for the graphics card.
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, numbers.byteLength, gl.STREAM_READ);
     // Row 0 is the top one here.
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, numbers);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED) {
+      await new Promise((resolve) => setTimeout(resolve, 4));
+    }
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, numbers);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.deleteSync(drawn);
+    gl.deleteBuffer(buffer);
     targets.destroy();
     return numbers;
   }

@@ -140,6 +140,8 @@ class WebGpuExecutor {
     const isPicture = pass.name === "draw";
     const drawsMeshes = pass.draws !== "screen";
     const count = isPicture ? samples : 1;
+    // What casts shadows does so with both sides.
+    const showsBacks = both || pass.draws !== "meshes";
     const { vertex, fragment } = module.entry_points;
     const attributes = drawsMeshes ? module.attributes : [];
     const buffers = attributes.map(({ type, location }) => ({
@@ -158,7 +160,7 @@ class WebGpuExecutor {
       fragment: { module: module.code, entryPoint: fragment, targets },
       primitive: {
         frontFace: this.mesh.isMirrored ? "cw" : "ccw",
-        cullMode: both || !drawsMeshes ? "none" : "back",
+        cullMode: showsBacks ? "none" : "back",
       },
       multisample: { count },
     };
@@ -212,10 +214,70 @@ class WebGpuExecutor {
   /** Draws all passes of a frame into `targets`. */
   run(frame, targets) {
     const encoder = this.device.createCommandEncoder();
+    if (frame.shadows) this.runShadows(encoder, frame);
     for (const pass of this.look.passes) {
       if (pass.draws !== "lights") this.runPass(encoder, pass, frame, targets);
     }
     return encoder;
+  }
+
+  /** Draws what lights see, where a light has moved since it was drawn last. */
+  runShadows(encoder, frame) {
+    const { side, layers } = frame.shadows;
+    const passes = this.look.passes.filter(({ draws }) => draws === "lights");
+    if (this.shadows?.side !== side || this.shadows.count !== layers.length) {
+      this.shadows?.destroy();
+      this.shadows = this.shadowTargets(passes, side, layers.length);
+    }
+    const drawn = JSON.stringify(layers);
+    if (drawn === this.shadows.drawn) return;
+    this.shadows.drawn = drawn;
+    for (const pass of passes) {
+      layers.forEach((_, layer) => {
+        const image = ({ name, clear }) => ({
+          view: this.shadows.layers[`${pass.name}.${name}`][layer],
+          loadOp: "clear", storeOp: "store", clearValue: clear,
+        });
+        const depth = { depthClearValue: 1, depthLoadOp: "clear", depthStoreOp: "discard" };
+        const drawing = encoder.beginRenderPass({
+          label: pass.name,
+          colorAttachments: pass.outputs.map(image),
+          depthStencilAttachment: { view: this.shadows.depth, ...depth },
+        });
+        drawing.setPipeline(this.pipeline(pass, true, 1));
+        const module = this.modules[pass.module];
+        drawing.setBindGroup(0, this.bindGroup(pass, module, frame, this.shadows, layer));
+        module.attributes.forEach(({ name }, slot) => drawing.setVertexBuffer(slot, this.vertices[name]));
+        drawing.setIndexBuffer(this.indices, "uint32");
+        drawing.drawIndexed(this.mesh.indices.length);
+        drawing.end();
+      });
+    }
+  }
+
+  /** The textures of shadow maps, with views of all layers and of each. */
+  shadowTargets(passes, side, count) {
+    const { RENDER_ATTACHMENT, TEXTURE_BINDING } = GPUTextureUsage;
+    const all = [];
+    const make = (format, usage, layers) => {
+      const texture = this.device.createTexture({ size: [side, side, layers], format, usage });
+      all.push(texture);
+      return texture;
+    };
+    const found = { side, count, images: {}, layers: {} };
+    for (const pass of passes) {
+      for (const { name, format } of pass.outputs) {
+        const layers = Math.max(count, 2);
+        const texture = make(format, RENDER_ATTACHMENT | TEXTURE_BINDING, layers);
+        const key = `${pass.name}.${name}`;
+        found.images[key] = texture.createView({ dimension: "2d-array" });
+        found.layers[key] = Array.from({ length: layers }, (_, layer) =>
+          texture.createView({ dimension: "2d", baseArrayLayer: layer, arrayLayerCount: 1 }));
+      }
+    }
+    found.depth = make("depth32float", RENDER_ATTACHMENT, 1).createView();
+    found.destroy = () => all.forEach((texture) => texture.destroy());
+    return found;
   }
 
   runPass(encoder, pass, frame, targets) {
@@ -265,7 +327,8 @@ class WebGpuExecutor {
       } else if (feed.from === "sampler") {
         resource = this.samplers[feed.image];
       } else {
-        resource = targets.images[sourceOf(pass, binding)];
+        const source = sourceOf(pass, binding);
+        resource = targets.images[source] ?? this.shadows.images[source];
       }
       return { binding: wgsl.binding, resource };
     });
@@ -336,6 +399,7 @@ class WebGpuExecutor {
 
   destroy() {
     this.targets?.destroy();
+    this.shadows?.destroy();
     this.device.destroy();
   }
 }
