@@ -43,6 +43,9 @@ const FLAGS: [&str; 15] = [
     "--remote-debugging-pipe",
 ];
 
+/// Part of what Chromium remarks about the speed of WebGL, which is no error of the page.
+const GL_REMARK: &str = "GL Driver Message (OpenGL, Performance";
+
 /// A running browser with one page.
 pub struct Chromium {
     browser: Child,
@@ -243,7 +246,8 @@ impl Chromium {
                 self.errors.push(exception_text(&parameters["exceptionDetails"]));
             }
             Some("Log.entryAdded")
-                if ["error", "warning"].map(Value::from).contains(&entry["level"]) =>
+                if ["error", "warning"].map(Value::from).contains(&entry["level"])
+                    && !entry["text"].as_str().is_some_and(|text| text.contains(GL_REMARK)) =>
             {
                 self.errors.push(shown(&json!({"value": entry["text"]})));
             }

@@ -1,11 +1,10 @@
 // What pages use: `chiaro.open` for a player of one's own, and the rest for the first player of the
 // page.
 
-let opened;
-
-const ready = new Promise((resolve) => {
-  opened = resolve;
-});
+const opening = Promise.withResolvers?.() ?? {};
+opening.promise ??= new Promise((resolve, reject) => Object.assign(opening, { resolve, reject }));
+// Who awaits `ready` is told of a failure; the page tells it anyway.
+opening.promise.catch(() => {});
 
 /** The first player of the page. */
 let first = null;
@@ -16,20 +15,30 @@ const player = () => {
 };
 
 window.chiaro = {
-  /** The first player of the page, as soon as it draws. */
-  ready,
+  /** The first player of the page, as soon as it draws; rejects where it cannot. */
+  ready: opening.promise,
+
+  /** The first player of the page, once it draws. */
+  get player() {
+    return player();
+  },
 
   /**
    * Draws a look on a canvas: `await chiaro.open(canvas, { look, scene, textures })`. The result
    * has the methods below. Without `gestures: false` the canvas is dragged with the pointer.
    */
   async open(canvas, content, options = {}) {
-    const found = await Player.open(canvas, content, options);
-    if (options.gestures !== false) found.gestures = new Gestures(found);
-    found.draw();
-    first ??= found;
-    opened(found);
-    return found;
+    try {
+      const found = await Player.open(canvas, content, options);
+      if (options.gestures !== false) found.gestures = new Gestures(found);
+      found.draw();
+      first ??= found;
+      opening.resolve(found);
+      return found;
+    } catch (failure) {
+      opening.reject(failure);
+      throw failure;
+    }
   },
 
   /** Sets an exposed parameter: `chiaro.set("warmth", 0.3)`. */

@@ -45,9 +45,8 @@ fn mesh<'a>(scene: &PackageScene, attributes: impl Iterator<Item = &'a str>) -> 
             "twoSided": part.two_sided, "material": material,
         })
     };
-    let arrays: Map<String, Value> = attributes
-        .filter_map(|name| Some((name.to_owned(), array(mesh, name)?.into())))
-        .collect();
+    let arrays: Map<String, Value> =
+        attributes.filter_map(|name| Some((name.to_owned(), array(mesh, name)?.into()))).collect();
     json!({
         "worldFromObject": matrix.to_cols_array(),
         "middle": bounds.center().to_array(),

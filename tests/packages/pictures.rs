@@ -1,0 +1,117 @@
+//! Packages as the program exports them, and the pictures that they should show.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use chiaro_test_support::root;
+use image::RgbaImage;
+
+/// Size of the pictures, in pixels.
+pub(crate) const SIZE: [u32; 2] = [160, 120];
+
+/// A look in a folder of its own, with what was made of it.
+pub(crate) struct Trial {
+    folder: tempfile::TempDir,
+    document: PathBuf,
+}
+
+impl Trial {
+    /// A trial of an example, such as `looks/clay`.
+    pub(crate) fn of(example: &str) -> Self {
+        let document = root().join("examples").join(example).with_extension("json");
+        Self { folder: tempfile::tempdir().expect("a folder"), document }
+    }
+
+    /// A trial of a changed example. The change is given the document as JSON.
+    pub(crate) fn changed(example: &str, change: impl Fn(&mut serde_json::Value)) -> Self {
+        let original = Self::of(example);
+        let text = std::fs::read_to_string(&original.document).expect("an example");
+        let mut look = serde_json::from_str(&text).expect("JSON");
+        change(&mut look);
+        let document = original.folder.path().join("look.json");
+        std::fs::write(&document, look.to_string()).expect("a file");
+        Self { document, ..original }
+    }
+
+    /// The folder of the package, exported now.
+    pub(crate) fn package(&self, slug: &str) -> PathBuf {
+        let out = self.folder.path().join(slug);
+        let mut command = chiaro();
+        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
+        run(&mut command);
+        out
+    }
+
+    /// Our own picture of a look, or of a scene that stands beside it: one sample a pixel, without
+    /// a backdrop, every value a uniform as in a package.
+    pub(crate) fn ours(&self, arguments: &[&str]) -> RgbaImage {
+        self.drawn(&self.document, arguments)
+    }
+
+    /// Our own picture with exposed parameters set, by a scene as people write it.
+    pub(crate) fn ours_with(&self, values: &serde_json::Value) -> RgbaImage {
+        let scene = self.folder.path().join("scene.json");
+        let look = self.document.display().to_string();
+        let object = serde_json::json!({
+            "mesh": "shape:creature", "looks": look, "values": values,
+        });
+        let text = serde_json::json!({"chiaro": "scene", "version": 1, "objects": [object]});
+        std::fs::write(&scene, text.to_string()).expect("a file");
+        self.drawn(&scene, &[])
+    }
+
+    fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
+        let picture = self.folder.path().join("ours.png");
+        let size = format!("{}x{}", SIZE[0], SIZE[1]);
+        let mut command = chiaro();
+        command
+            .arg("render")
+            .arg(document)
+            .args(["--samples", "1", "--backdrop", "none", "--live", "--force"])
+            .args(["--size", &size, "-o"])
+            .arg(&picture)
+            .args(arguments);
+        run(&mut command);
+        image::open(&picture).expect("a picture").to_rgba8()
+    }
+}
+
+/// The program, drawing with the software GPU that Chromium brings along.
+fn chiaro() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+    command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", "");
+    let driver = Path::new("/usr/lib/chromium/vk_swiftshader_icd.json");
+    if driver.is_file() {
+        command.env("VK_DRIVER_FILES", driver);
+    }
+    command
+}
+
+fn run(command: &mut Command) {
+    let output = command.output().expect("the program starts");
+    assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// Difference of two pictures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Difference {
+    /// Greatest difference of a channel, of 255.
+    pub(crate) greatest: u8,
+    /// Number of pixels that differ by more than 1 in a channel.
+    pub(crate) beyond: usize,
+}
+
+impl Difference {
+    /// The difference of a picture, rows from the top, from our own.
+    pub(crate) fn of(pixels: &[u8], ours: &RgbaImage) -> Self {
+        assert_eq!(pixels.len(), ours.as_raw().len(), "a picture of the same size");
+        let mut found = Self::default();
+        for (theirs, own) in pixels.chunks_exact(4).zip(ours.as_raw().chunks_exact(4)) {
+            let worst = theirs.iter().zip(own).map(|(a, b)| a.abs_diff(*b)).max();
+            let worst = worst.unwrap_or_default();
+            found.greatest = found.greatest.max(worst);
+            found.beyond += usize::from(worst > 1);
+        }
+        found
+    }
+}

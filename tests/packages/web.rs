@@ -1,0 +1,183 @@
+//! The package `web` in Chromium, by WebGPU and by WebGL 2.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use chiaro_test_support::chromium::{Chromium, from_base64};
+use chiaro_test_support::{files, root};
+use serde_json::json;
+
+use crate::pictures::{Difference, SIZE, Trial};
+use crate::table;
+
+/// The APIs that the page draws by, with the names that it shows.
+const APIS: [(&str, &str); 2] = [("webgpu", "WebGPU"), ("webgl2", "WebGL 2")];
+
+/// Opens the page of a package, and waits until it draws.
+fn open(browser: &mut Chromium, package: &Path, (api, name): (&str, &str)) {
+    let page = package.join("index.html");
+    browser.open_file_with(&page, &format!("?api={api}")).expect("the page opens");
+    let opened = "chiaro.ready.then((player) => player.api)";
+    assert_eq!(browser.evaluate(opened), Ok(json!(name)), "{}", package.display());
+}
+
+/// The picture of the page that is open, as `chiaro.picture` gives it.
+fn picture(browser: &mut Chromium) -> Vec<u8> {
+    let [width, height] = SIZE;
+    let asked = format!(
+        "chiaro.picture({width}, {height}, {{ samples: 1 }}).then(({{ data }}) => {{
+            let text = '';
+            for (const byte of data) text += String.fromCharCode(byte);
+            return btoa(text);
+        }})"
+    );
+    let text = browser.evaluate(&asked).expect("a picture");
+    from_base64(text.as_str().expect("base64")).expect("bytes")
+}
+
+/// Compares the pages of looks with our own pictures, and the differences with the table.
+fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
+    let mut measured = BTreeMap::new();
+    for (name, trial) in trials {
+        let package = trial.package("web");
+        let ours = trial.ours(&[]);
+        for api in APIS {
+            open(browser, &package, api);
+            let found = Difference::of(&picture(browser), &ours);
+            measured.insert(format!("web {} {name}", api.0), found);
+            assert!(browser.console_errors().is_empty(), "{name}: {:?}", browser.console_errors());
+        }
+    }
+    table::check(&measured);
+}
+
+/// A look of each kind is drawn as we draw it: layers with curvature, keys, a comic, painted
+/// surfaces, an image, passes, shadows, a transparent look, and one of linear light.
+#[test]
+fn pages_show_what_we_show() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let examples = [
+        "looks/figure1-layers",
+        "looks/figure5-directional",
+        "looks/figure6-comics",
+        "looks/local-control",
+        "looks/ink-outlines",
+        "looks/technical-cutaway",
+        "hcbtf/grass-flat",
+        "images/xtoon-orientation",
+    ];
+    let named = |example: &&str| {
+        (example.rsplit('/').next().unwrap_or_default().to_owned(), Trial::of(example))
+    };
+    let mut trials: Vec<(String, Trial)> = examples.iter().map(named).collect();
+    let transparent = Trial::changed("looks/highlight-moves", |look| {
+        look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);
+    });
+    trials.push(("transparent".to_owned(), transparent));
+    let linear = Trial::changed("looks/highlight-moves", |look| {
+        look["color_space"] = json!("linear");
+    });
+    trials.push(("linear".to_owned(), linear));
+    compare(&mut browser, &trials);
+}
+
+/// A parameter and a light that the page sets change what they change in our own picture; what is
+/// reset is as before.
+#[test]
+fn parameters_and_lights_change_what_they_change_with_us() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let trial = Trial::of("looks/highlight-moves");
+    let package = trial.package("web");
+    let before = trial.ours(&[]);
+    let values = json!({"move_x": 0.35, "color": [0.6, 0.2, 0.1, 1.0], "turn": 0.8});
+    let set = trial.ours_with(&values);
+    assert!(Difference::of(before.as_raw(), &set).beyond > 500, "the values are seen");
+    let turned = Trial::changed("looks/highlight-moves", |look| {
+        look["lights"]["key"]["direction"] = json!([0.7, 0.1, 0.7]);
+        look["lights"]["key"]["intensity"] = json!(0.6);
+    });
+    let turned = turned.ours(&[]);
+    for api in APIS {
+        open(&mut browser, &package, api);
+        let mut shows = |script: &str, ours| {
+            browser.evaluate(script).expect(script);
+            let found = Difference::of(&picture(&mut browser), ours);
+            assert!(found.greatest <= 1, "{} after {script}: {found:?}", api.1);
+        };
+        let set_each = values.as_object().into_iter().flatten();
+        let set_each = set_each.map(|(name, value)| format!("chiaro.set({name:?}, {value});"));
+        let all: String = set_each.collect();
+        shows(&all, &set);
+        shows("chiaro.reset()", &before);
+        shows("chiaro.light('key', { direction: [0.7, 0.1, 0.7], intensity: 0.6 })", &turned);
+        shows("chiaro.reset()", &before);
+        let unknown = browser.evaluate("chiaro.set('nothing', 1)").expect_err("an error");
+        assert!(unknown.contains("move_x"), "the names that there are: {unknown}");
+    }
+}
+
+/// The page has a control with a name for each parameter, and a drag on the picture turns it.
+#[test]
+fn the_page_is_worked_by_hand_and_keys() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    browser.resize([900, 600]).expect("a size");
+    let package = Trial::of("looks/highlight-moves").package("web");
+    open(&mut browser, &package, APIS[1]);
+    let labels = "[...document.querySelectorAll('.panel label')].map((one) => one.textContent)";
+    let labels = browser.evaluate(labels).expect("labels");
+    for wanted in ["Body", "Move right", "Split upright", "key"] {
+        assert!(labels.as_array().is_some_and(|all| all.contains(&json!(wanted))), "{labels}");
+    }
+    // A slider moves the value, and its button gives it back.
+    let slid = "(() => {
+        const slider = document.querySelector('.panel input[type=range]');
+        slider.value = slider.max;
+        slider.dispatchEvent(new Event('input'));
+        const set = Object.keys(chiaro.player.values).length;
+        slider.closest('.row').querySelector('.reset').click();
+        return [set, Object.keys(chiaro.player.values).length];
+    })()";
+    assert_eq!(browser.evaluate(slid), Ok(json!([1, 0])));
+    let eye = "chiaro.player.camera.eye.map((x) => Math.round(1000 * x))";
+    let before = browser.evaluate(eye).expect("the camera");
+    let mouse = |kind: &str, x: i32| {
+        let buttons = i32::from(kind != "mouseReleased");
+        json!({"type": kind, "x": x, "y": 300, "button": "left", "buttons": buttons})
+    };
+    for (kind, x) in [("mousePressed", 200), ("mouseMoved", 260), ("mouseReleased", 260)] {
+        browser.call("Input.dispatchMouseEvent", &mouse(kind, x)).expect("a drag");
+    }
+    let dragged = browser.evaluate(eye).expect("the camera");
+    assert_ne!(before, dragged, "a drag turns the view");
+    for kind in ["keyDown", "keyUp"] {
+        let key = json!({"type": kind, "key": "Home", "code": "Home", "windowsVirtualKeyCode": 36});
+        browser.call("Input.dispatchKeyEvent", &key).expect("a key");
+    }
+    assert_eq!(browser.evaluate(eye), Ok(before), "Home shows the view as at the start");
+    // Nothing is drawn while nothing changes.
+    let rest = "(async () => {
+        const pause = () => new Promise((resolve) => setTimeout(resolve, 150));
+        await pause();
+        const drawn = chiaro.player.drawn;
+        await pause();
+        return chiaro.player.drawn - drawn;
+    })()";
+    assert_eq!(browser.evaluate(rest), Ok(json!(0)));
+}
+
+/// All example looks, images and painted surfaces that are exported.
+#[test]
+#[ignore = "minutes: scripts/soak runs it"]
+fn soak_pages_of_all_examples_show_what_we_show() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
+    let documents = folders.iter().flat_map(|folder| files::below(folder));
+    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
+    let trials = documents.map(|path| {
+        let example = path.strip_prefix(root().join("examples")).expect("an example");
+        let example = example.with_extension("").to_string_lossy().into_owned();
+        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
+        (name, Trial::of(&example))
+    });
+    compare(&mut browser, &trials.collect::<Vec<_>>());
+}
