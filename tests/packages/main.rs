@@ -4,6 +4,8 @@
 //! compares with the picture of `chiaro render`, drawn by the same software GPU, which comes with
 //! Chromium. What is measured is in one table, `tests/golden/packages.txt`.
 
+use chiaro_test_drawing as support;
+
 mod pictures;
 mod table;
 mod web;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use chiaro_test_support::root;
+use crate::support::root;
 use image::RgbaImage;
 
 /// Size of the pictures, in pixels.

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::{env, fs};
 
-use chiaro_test_support::root;
+use crate::support::root;
 
 use crate::pictures::Difference;
 

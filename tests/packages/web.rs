@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use chiaro_test_support::chromium::{Chromium, from_base64};
-use chiaro_test_support::{files, root};
+use crate::support::chromium::{Chromium, from_base64};
+use crate::support::{files, root};
 use serde_json::json;
 
 use crate::pictures::{Difference, SIZE, Trial};

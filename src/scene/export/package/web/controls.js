@@ -21,7 +21,7 @@ const DISPLAYED_UNITS = { rad: { factor: 180 / Math.PI, text: "°" } };
 /** Ends of a slider where the artist gave none: around the default. */
 function rangeOf({ min, max, default: value }) {
   const size = Math.abs(value) || 1;
-  return [min ?? Math.min(0, 2 * value), max ?? (value > 0 && value <= 1 ? 1 : value + size)];
+  return [min ?? (value > 0 ? 0 : value - size), max ?? (value > 0 && value <= 1 ? 1 : value + size)];
 }
 
 /**

@@ -57,21 +57,30 @@ const PLAYER: [&str; 10] = [
 /// Parts of the page around the player.
 const CONTROLS: [&str; 2] = [include_str!("controls.js"), include_str!("page.js")];
 
+/// Names of the package's own scripts, which no look's script may take.
+const OWN: [&str; 4] = ["scene", "textures", "player", "page"];
+
+/// Name of the look's script, without its ending.
+fn look_name(stem: &str) -> String {
+    let is_taken = OWN.iter().any(|own| own.eq_ignore_ascii_case(stem));
+    if is_taken { format!("{stem}-look") } else { stem.to_owned() }
+}
+
 /// The files of the package.
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     let title = request.title;
-    let look = format!("// {}\nconst look = {};\n", made(title, "the look"), request.javascript);
     let texts = [
         ("index.html", filled(PAGE, request)),
         ("style.css", format!("/* {} */\n\n{STYLE}", made(title, "how the page looks"))),
-        (&*format!("{}.js", request.stem), look),
         ("scene.js", scene::script(request, &made(title, "the mesh, the camera and the backdrop"))),
         ("textures.js", textures(request.textures, &made(title, "the images that the look reads"))),
         ("player.js", joined(&PLAYER, &made(title, "what draws the look on a canvas"))),
         ("page.js", joined(&CONTROLS, &made(title, "the page's tools and settings"))),
         ("README.md", filled(README, request)),
     ];
-    Ok(texts.map(|(name, text)| ExportFile::text(name.to_owned(), text)).into())
+    let texts = texts.map(|(name, text)| ExportFile::text(name.to_owned(), text));
+    let look = ExportFile { name: look_name(request.stem) + ".js", ..request.script() };
+    Ok(std::iter::once(look).chain(texts).collect())
 }
 
 /// The line that tells a file of an export from others.
@@ -101,7 +110,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
     );
     template
         .replace("{{title}}", &escaped(request.title))
-        .replace("{{stem}}", request.stem)
+        .replace("{{stem}}", &look_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{parameters}}", &parameters)
         .replace("{{example}}", &example)
@@ -120,4 +129,23 @@ fn textures(images: &[ExportFile], made: &str) -> String {
         let _infallible = writeln!(script, "  {name}: \"{}\",", STANDARD.encode(&image.bytes));
     }
     script + "};\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_looks_script_takes_the_place_of_an_own_one() {
+        for own in OWN {
+            assert_ne!(look_name(own), own);
+            assert_ne!(look_name(&own.to_uppercase()).to_lowercase(), own);
+        }
+        assert_eq!(look_name("clay"), "clay");
+    }
+
+    #[test]
+    fn names_are_no_markup() {
+        assert_eq!(escaped("<b> & \"c\""), "&lt;b&gt; &amp; &quot;c&quot;");
+    }
 }
