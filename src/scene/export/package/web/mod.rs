@@ -104,10 +104,12 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
     } else {
         format!("The look has these: {}.", listed.join(", "))
     };
-    let example = names.first().map_or_else(
-        || "player.light(look.lights[0].id, { intensity: 2 });".to_owned(),
-        |name| format!("player.set(\"{name}\", player.get(\"{name}\"));"),
-    );
+    let light = request.description.lights.first();
+    let example = match (names.first(), light) {
+        (Some(name), _) => format!("player.set(\"{name}\", player.get(\"{name}\"));"),
+        (None, Some(light)) => format!("player.light(\"{}\", {{ intensity: 2 }});", light.id),
+        (None, None) => "player.gestures.turn(0.5, 0, \"view\");".to_owned(),
+    };
     template
         .replace("{{title}}", &escaped(request.title))
         .replace("{{stem}}", &look_name(request.stem))

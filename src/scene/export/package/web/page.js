@@ -164,12 +164,11 @@ async function start() {
     fillPanel(player);
   } catch (failure) {
     console.error(failure);
-    tellProblem(
-      "This look cannot be drawn here.",
-      "It needs WebGPU or WebGL 2. Open the page in a new Chrome, Edge, Firefox or Safari, and see "
-        + "that graphics acceleration is turned on in its settings.",
-      failure.message,
-    );
+    const advice = wantedApi()
+      ? `The address of the page asks for ${wantedApi()}. Without that it takes what there is.`
+      : "It needs WebGPU or WebGL 2. Open the page in a new Chrome, Edge, Firefox or Safari, and see "
+        + "that graphics acceleration is turned on in its settings.";
+    tellProblem("This look cannot be drawn here.", advice, failure.message);
   }
 }
 
