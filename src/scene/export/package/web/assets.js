@@ -67,7 +67,8 @@ function readKtx2(bytes, file) {
     throw new Error(`the texture ${file} cannot be read: export the look again`);
   }
   const [width, height, layers] = [word(20), word(24), Math.max(word(32), 1)];
-  const [start, size] = [Number(words.getBigUint64(80, true)), Number(words.getBigUint64(88, true))];
+  const long = (at) => Number(words.getBigUint64(at, true));
+  const [start, size] = [long(80), long(88)];
   const content = bytes.subarray(start, start + size);
   return { width, height, layers, blocks: format === KTX2_BC7, bytes: content, isFlat: false };
 }

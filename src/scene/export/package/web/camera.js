@@ -35,7 +35,8 @@ function viewOf(camera, size, sphere, clip) {
   if (camera.parallel) {
     height = Math.max(camera.height, 1e-6) * widening;
     const near = distance - reach;
-    projection = orthographic(0.5 * height * aspect, 0.5 * height, near, Math.max(far, near + 1e-3));
+    const half = 0.5 * height;
+    projection = orthographic(half * aspect, half, near, Math.max(far, near + 1e-3));
   } else {
     height = 2 * Math.tan(0.5 * camera.fov) * widening;
     const near = Math.max(distance - reach, far * NEAREST);

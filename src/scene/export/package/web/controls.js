@@ -21,7 +21,8 @@ const DISPLAYED_UNITS = { rad: { factor: 180 / Math.PI, text: "°" } };
 /** Ends of a slider where the artist gave none: around the default. */
 function rangeOf({ min, max, default: value }) {
   const size = Math.abs(value) || 1;
-  return [min ?? (value > 0 ? 0 : value - size), max ?? (value > 0 && value <= 1 ? 1 : value + size)];
+  const isShare = value > 0 && value <= 1;
+  return [min ?? (value > 0 ? 0 : value - size), max ?? (isShare ? 1 : value + size)];
 }
 
 /**
@@ -93,7 +94,8 @@ function switchOf({ set }) {
 }
 
 function choiceOf({ options, set }) {
-  const input = element("select", {}, ...options.map((word) => element("option", { textContent: word })));
+  const words = options.map((word) => element("option", { textContent: word }));
+  const input = element("select", {}, ...words);
   input.onchange = () => set(input.value);
   return { input, value: input, show: (value) => (input.value = value) };
 }
@@ -185,12 +187,13 @@ function lightRow(player, light) {
     bright.show(now.intensity);
   };
   const fields = ["color", "intensity", "direction", "position", "aim"];
+  const isOwn = (field) => String(player.lightNow(id)[field]) === String(light[field]);
   return row({
     label: name,
     help: "The light's color, and how bright it is.",
     control: { ...bright, value, show },
     read: () => player.lightNow(id),
     reset: () => player.resetLight(id),
-    isDefault: () => fields.every((field) => String(player.lightNow(id)[field]) === String(light[field])),
+    isDefault: () => fields.every(isOwn),
   });
 }

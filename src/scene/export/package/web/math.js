@@ -26,7 +26,8 @@ const transpose3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]]
 const columns3 = (m) => [m.slice(0, 3), m.slice(3, 6), m.slice(6, 9)];
 
 /** A 3x3 matrix times a vector. */
-const turn = (m, v) => [0, 1, 2].map((row) => m[row] * v[0] + m[row + 3] * v[1] + m[row + 6] * v[2]);
+const turn = (m, [x, y, z]) =>
+  [0, 1, 2].map((row) => m[row] * x + m[row + 3] * y + m[row + 6] * z);
 
 /** The product of two 3x3 matrices. */
 const multiply3 = (a, b) => columns3(b).flatMap((column) => turn(a, column));
@@ -60,8 +61,8 @@ function rotation3([x, y, z], angle) {
 const linear3 = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
 
 /** A 4x4 matrix times a vector of four numbers. */
-const transform = (m, v) =>
-  [0, 1, 2, 3].map((row) => m[row] * v[0] + m[row + 4] * v[1] + m[row + 8] * v[2] + m[row + 12] * v[3]);
+const transform = (m, [x, y, z, w]) =>
+  [0, 1, 2, 3].map((row) => m[row] * x + m[row + 4] * y + m[row + 8] * z + m[row + 12] * w);
 
 /** A 4x4 matrix without projection times a point. */
 const transformPoint = (m, p) => transform(m, [...p, 1]).slice(0, 3);

@@ -38,7 +38,8 @@ function wantedApi() {
 function tellProblem(title, advice, reason) {
   byId("waiting").hidden = true;
   const said = reason ? element("p", { className: "reason", textContent: reason }) : null;
-  const parts = [element("h2", { textContent: title }), element("p", { textContent: advice }), said];
+  const heading = element("h2", { textContent: title });
+  const parts = [heading, element("p", { textContent: advice }), said];
   byId("problem").replaceChildren(...parts.filter(Boolean));
   byId("problem").hidden = false;
 }
@@ -47,7 +48,7 @@ function tellProblem(title, advice, reason) {
 function subjects(player) {
   const choices = [
     { id: "view", label: "View", key: "V" },
-    ...player.look.lights.map(({ id, label }, i) => ({ id, label: label || id, key: String(i + 1) })),
+    ...player.look.lights.map(({ id, label }, i) => ({ id, label: label || id, key: `${i + 1}` })),
   ];
   const options = choices.map(({ id, label, key }) => {
     const input = element("input", { type: "radio", name: "subject", value: id });
@@ -76,7 +77,8 @@ function subjects(player) {
 function fillTools(player) {
   const tools = byId("tools");
   if (player.look.lights.length) tools.append(subjects(player));
-  tools.append(toolButton("home", "Show the view as at the start (Home)", () => player.gestures.resetView()));
+  const resetView = () => player.gestures.resetView();
+  tools.append(toolButton("home", "Show the view as at the start (Home)", resetView));
   if (player.isAnimated) {
     const button = toolButton("pause", "Stop", () => setPlaying(!player.isPlaying));
     const setPlaying = (isPlaying) => {
@@ -125,8 +127,8 @@ function fillPanel(player) {
   section("Lights", look.lights.map((light) => lightRow(player, light)));
   const all = element("button", { type: "button", className: "all", textContent: "Reset all" });
   all.onclick = () => player.reset();
-  const help = "Drag turns what is chosen below the picture; with Shift all lights. The wheel or two "
-    + "fingers go nearer.";
+  const help = "Drag turns what is chosen below the picture; with Shift all lights. The wheel or "
+    + "two fingers go nearer.";
   const keys = " Keys: arrows turn, + and - go nearer, Home resets the view.";
   const text = element("p", { className: "help", textContent: help });
   text.append(element("span", { className: "keys", textContent: keys }));
@@ -166,8 +168,8 @@ async function start() {
     console.error(failure);
     const advice = wantedApi()
       ? `The address of the page asks for ${wantedApi()}. Without that it takes what there is.`
-      : "It needs WebGPU or WebGL 2. Open the page in a new Chrome, Edge, Firefox or Safari, and see "
-        + "that graphics acceleration is turned on in its settings.";
+      : "It needs WebGPU or WebGL 2. Open the page in a new Chrome, Edge, Firefox or Safari, and "
+        + "see that graphics acceleration is turned on in its settings.";
     tellProblem("This look cannot be drawn here.", advice, failure.message);
   }
 }

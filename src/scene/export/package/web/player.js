@@ -18,6 +18,9 @@ const EXECUTORS = { webgpu: WebGpuExecutor, webgl2: WebGl2Executor };
 /** The most device pixels for a pixel of the page. */
 const MOST_PIXELS = 2;
 
+/** The longest side of the picture on the page, in device pixels. */
+const MOST_SIDE = 4096;
+
 /** The canvas that events and styles are given to; a new one where another API has taken it. */
 function freshCanvas(canvas) {
   const fresh = canvas.cloneNode(false);
@@ -97,7 +100,7 @@ class Player extends EventTarget {
     this.tell("light", id);
   }
 
-  /** A light with its values as they are now: the look's, those of parameters, those that are set. */
+  /** A light as it is now: with the look's values, those of parameters, and those that are set. */
   lightNow(id) {
     const light = { ...this.look.lights.find((one) => one.id === id) };
     for (const { key, target } of this.look.parameters) {
@@ -158,7 +161,8 @@ class Player extends EventTarget {
   /** True where the picture changes with time. */
   get isAnimated() {
     const bytes = (time) => {
-      const state = { ...this.state(this.view([64, 64]), [64, 64]), time, frame: Math.floor(time * 24) };
+      const now = this.state(this.view([64, 64]), [64, 64]);
+      const state = { ...now, time, frame: Math.floor(time * 24) };
       return Object.values(this.look.modules).flatMap(({ prepare }) =>
         prepare ? [...new Uint8Array(prepare(state))] : []);
     };
@@ -207,11 +211,12 @@ class Player extends EventTarget {
       const isHex = type === "color" && typeof value === "string";
       return [key, isHex ? this.numbersOfHex(value) : value];
     }));
+    const { rotation, eye, parallel, toward } = view;
     return {
       parameters,
       lights,
       illumination: this.illumination,
-      camera: { rotation: view.rotation, eye: view.eye, parallel: view.parallel, toward: view.toward },
+      camera: { rotation, eye, parallel, toward },
       object: {
         id: 0,
         axes: objectAxes(this.mesh.worldFromObject),
@@ -234,11 +239,13 @@ class Player extends EventTarget {
       return looks.get(module);
     };
     // `number` is that of a part of the mesh, or of a layer of shadow maps.
+    const objectBytes = (binding, number) =>
+      pack(binding, objectValues(this.mesh, this.mesh.parts[number].material));
     const bytes = (module, binding, number) => {
       switch (binding.feed.from) {
         case "look": return lookBytes(module);
         case "view": return pack(binding, viewValues(view));
-        case "object": return pack(binding, objectValues(this.mesh, this.mesh.parts[number].material));
+        case "object": return objectBytes(binding, number);
         case "light_layer": return pack(binding, shadows.layers[number]);
         case "light_caster": return pack(binding, casterValues(this.mesh));
         default: return pack(binding, numbersOf(view, size, samples));
@@ -325,7 +332,8 @@ class Player extends EventTarget {
     this.sizes = new ResizeObserver(() => {
       const pixels = Math.min(devicePixelRatio || 1, MOST_PIXELS);
       const { clientWidth, clientHeight } = this.canvas;
-      const size = [clientWidth, clientHeight].map((side) => Math.min(Math.round(side * pixels), 8192));
+      const sideOf = (side) => Math.min(Math.round(side * pixels), MOST_SIDE);
+      const size = [clientWidth, clientHeight].map(sideOf);
       if (size[0] === this.canvas.width && size[1] === this.canvas.height) return;
       [this.canvas.width, this.canvas.height] = size;
       this.draw();

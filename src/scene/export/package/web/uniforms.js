@@ -2,7 +2,14 @@
 // from `prepare` of the look's own file.
 
 /** Number of columns and rows, or of numbers, of the types that these uniforms have. */
-const SHAPES = { f32: [1, 1], vec2f: [1, 2], vec3f: [1, 3], vec4f: [1, 4], mat3x3f: [3, 3], mat4x4f: [4, 4] };
+const SHAPES = {
+  f32: [1, 1],
+  vec2f: [1, 2],
+  vec3f: [1, 3],
+  vec4f: [1, 4],
+  mat3x3f: [3, 3],
+  mat4x4f: [4, 4],
+};
 
 /** The bytes of a uniform: each member's numbers at its place, where `values` has the member. */
 function pack(binding, values) {

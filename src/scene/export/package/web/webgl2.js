@@ -1,8 +1,8 @@
 // Drawing by WebGL 2, with the methods of `WebGpuExecutor`.
 //
 // Everything is drawn with its first row at the top, as WebGPU draws it, by turning y over in clip
-// space; the last step shows the picture upside down. So derivatives, which graphics cards take once
-// for every two by two pixels, are those of WebGPU.
+// space; the last step shows the picture upside down. So derivatives, which graphics cards take
+// once for every two by two pixels, are those of WebGPU.
 
 const WEBGL2_SHOWING_VERTEX = `#version 300 es
 void main() {
@@ -16,7 +16,8 @@ uniform highp sampler2D picture;
 out vec4 color;
 
 vec3 encode(vec3 x) {
-    return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, lessThanEqual(x, vec3(0.0031308)));
+    bvec3 isDark = lessThanEqual(x, vec3(0.0031308));
+    return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, isDark);
 }
 
 void main() {
@@ -162,7 +163,8 @@ class WebGl2Executor {
       const format = blocks.COMPRESSED_RGBA_BPTC_UNORM_EXT;
       gl.compressedTexImage3D(target, 0, format, width, height, layers, 0, image.bytes);
     } else if (image.isFlat) {
-      const source = image.bitmap ?? new ImageData(new Uint8ClampedArray(image.bytes), width, height);
+      const source = image.bitmap
+        ?? new ImageData(new Uint8ClampedArray(image.bytes), width, height);
       gl.texImage2D(target, 0, flat, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, source);
     } else {
       const kind = gl.UNSIGNED_BYTE;

@@ -115,7 +115,8 @@ class WebGpuExecutor {
       fragment: { module: shown, targets: [{ format: this.format }] },
     });
     this.context = this.canvas.getContext("webgpu");
-    this.context.configure({ device: this.device, format: this.format, alphaMode: "premultiplied" });
+    const { device, format } = this;
+    this.context.configure({ device, format, alphaMode: "premultiplied" });
     const first = this.look.passes.map(async (pass) => {
       const [key, descriptor] = this.pipelineOf(pass, pass.sides === "both", this.samples);
       this.pipelines.set(key, await this.device.createRenderPipelineAsync(descriptor));
@@ -247,8 +248,7 @@ class WebGpuExecutor {
         drawing.setPipeline(this.pipeline(pass, true, 1));
         const module = this.modules[pass.module];
         drawing.setBindGroup(0, this.bindGroup(pass, module, frame, this.shadows, layer));
-        module.attributes.forEach(({ name }, slot) => drawing.setVertexBuffer(slot, this.vertices[name]));
-        drawing.setIndexBuffer(this.indices, "uint32");
+        this.bindMesh(drawing, module);
         drawing.drawIndexed(this.mesh.indices.length);
         drawing.end();
       });
@@ -302,8 +302,7 @@ class WebGpuExecutor {
       drawing.setBindGroup(0, this.bindGroup(pass, module, frame, targets, 0));
       drawing.draw(3);
     } else {
-      module.attributes.forEach(({ name }, slot) => drawing.setVertexBuffer(slot, this.vertices[name]));
-      drawing.setIndexBuffer(this.indices, "uint32");
+      this.bindMesh(drawing, module);
       this.mesh.parts.forEach((part, number) => {
         const both = frame.drawsBoth(pass, part);
         drawing.setPipeline(this.pipeline(pass, both, frame.samples));
@@ -312,6 +311,13 @@ class WebGpuExecutor {
       });
     }
     drawing.end();
+  }
+
+  bindMesh(drawing, module) {
+    module.attributes.forEach(({ name }, slot) => {
+      drawing.setVertexBuffer(slot, this.vertices[name]);
+    });
+    drawing.setIndexBuffer(this.indices, "uint32");
   }
 
   bindGroup(pass, module, frame, targets, part) {
