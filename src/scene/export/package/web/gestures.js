@@ -26,9 +26,7 @@ class Gestures {
   }
 
   down(event) {
-    const { canvas } = this.player;
-    canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
+    this.player.canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
   }
 
