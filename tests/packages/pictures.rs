@@ -13,13 +13,20 @@ pub(crate) const SIZE: [u32; 2] = [160, 120];
 pub(crate) struct Trial {
     folder: tempfile::TempDir,
     document: PathBuf,
+    /// Arguments of both `chiaro export` and `chiaro render`.
+    arguments: &'static [&'static str],
 }
 
 impl Trial {
     /// A trial of an example, such as `looks/clay`.
     pub(crate) fn of(example: &str) -> Self {
         let document = root().join("examples").join(example).with_extension("json");
-        Self { folder: tempfile::tempdir().expect("a folder"), document }
+        Self { folder: tempfile::tempdir().expect("a folder"), document, arguments: &[] }
+    }
+
+    /// The trial with arguments of both `chiaro export` and `chiaro render`.
+    pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
+        Self { arguments, ..self }
     }
 
     /// A trial of a changed example. The change is given the document as JSON.
@@ -38,14 +45,15 @@ impl Trial {
         let out = self.folder.path().join(slug);
         let mut command = chiaro();
         command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
+        command.args(self.arguments);
         run(&mut command);
         out
     }
 
-    /// Our own picture of a look, or of a scene that stands beside it: one sample a pixel, without
-    /// a backdrop, every value a uniform as in a package.
-    pub(crate) fn ours(&self, arguments: &[&str]) -> RgbaImage {
-        self.drawn(&self.document, arguments)
+    /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform as
+    /// in a package.
+    pub(crate) fn ours(&self) -> RgbaImage {
+        self.drawn(&self.document)
     }
 
     /// Our own picture with exposed parameters set, by a scene as people write it.
@@ -57,10 +65,10 @@ impl Trial {
         });
         let text = serde_json::json!({"chiaro": "scene", "version": 1, "objects": [object]});
         std::fs::write(&scene, text.to_string()).expect("a file");
-        self.drawn(&scene, &[])
+        self.drawn(&scene)
     }
 
-    fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
+    fn drawn(&self, document: &Path) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
         let mut command = chiaro();
@@ -70,7 +78,7 @@ impl Trial {
             .args(["--samples", "1", "--backdrop", "none", "--live", "--force"])
             .args(["--size", &size, "-o"])
             .arg(&picture)
-            .args(arguments);
+            .args(self.arguments);
         run(&mut command);
         image::open(&picture).expect("a picture").to_rgba8()
     }

@@ -40,7 +40,7 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
     let mut measured = BTreeMap::new();
     for (name, trial) in trials {
         let package = trial.package("web");
-        let ours = trial.ours(&[]);
+        let ours = trial.ours();
         for api in APIS {
             open(browser, &package, api);
             let found = Difference::of(&picture(browser), &ours);
@@ -74,6 +74,8 @@ fn pages_show_what_we_show() {
         look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);
     });
     trials.push(("transparent".to_owned(), transparent));
+    let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
+    trials.push(("long-shadows".to_owned(), shadows));
     let linear = Trial::changed("looks/highlight-moves", |look| {
         look["color_space"] = json!("linear");
     });
@@ -88,7 +90,7 @@ fn parameters_and_lights_change_what_they_change_with_us() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
     let trial = Trial::of("looks/highlight-moves");
     let package = trial.package("web");
-    let before = trial.ours(&[]);
+    let before = trial.ours();
     let values = json!({"move_x": 0.35, "color": [0.6, 0.2, 0.1, 1.0], "turn": 0.8});
     let set = trial.ours_with(&values);
     assert!(Difference::of(before.as_raw(), &set).beyond > 500, "the values are seen");
@@ -96,7 +98,7 @@ fn parameters_and_lights_change_what_they_change_with_us() {
         look["lights"]["key"]["direction"] = json!([0.7, 0.1, 0.7]);
         look["lights"]["key"]["intensity"] = json!(0.6);
     });
-    let turned = turned.ours(&[]);
+    let turned = turned.ours();
     for api in APIS {
         open(&mut browser, &package, api);
         let mut shows = |script: &str, ours| {
