@@ -4,6 +4,10 @@
 /** Least and greatest side of a layer, in texels. */
 const SIDES = [256, 2048];
 
+/** Memory that the layers of both maps may take, and that of a texel in both, in bytes. */
+const MOST_BYTES = 2 ** 28;
+const TEXEL_BYTES = 32;
+
 /** Factor by which a layer is wider than what it shows, so that edges have texels beside them. */
 const WIDENED = 1 + 1 / 32;
 
@@ -28,8 +32,9 @@ function shadowMaps(lights, sphere, height, clip) {
       : sunLayer(layers, toward, sphere, clip);
     places[id] = [...place, first];
   }
-  const wanted = 2 ** Math.ceil(Math.log2(1.5 * Math.max(height, 1)));
-  return { side: clamp(wanted, ...SIDES), layers, places };
+  let side = clamp(2 ** Math.ceil(Math.log2(1.5 * Math.max(height, 1))), ...SIDES);
+  while (side > SIDES[0] && side ** 2 * TEXEL_BYTES * layers.length > MOST_BYTES) side /= 2;
+  return { side, layers, places };
 }
 
 /** Adds the layer of a directional light; its middle and half of its side. */
