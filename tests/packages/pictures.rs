@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use crate::support::root;
 use image::RgbaImage;
@@ -84,10 +85,16 @@ impl Trial {
     }
 }
 
+/// The folder of what is kept between runs of the program, such as the mesh.
+fn cache() -> &'static Path {
+    static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
+    FOLDER.get_or_init(|| tempfile::tempdir().expect("a folder")).path()
+}
+
 /// The program, drawing with the software GPU that Chromium brings along.
 fn chiaro() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-    command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", "");
+    command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", cache());
     let driver = Path::new("/usr/lib/chromium/vk_swiftshader_icd.json");
     if driver.is_file() {
         command.env("VK_DRIVER_FILES", driver);

@@ -94,6 +94,10 @@ impl Chromium {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(messages);
+        // Its own Vulkan in software, not the one that our tests draw with.
+        for variable in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"] {
+            command.env_remove(variable);
+        }
         // A group of its own, so that the browser's processes can be ended together.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
