@@ -51,8 +51,8 @@ impl Trial {
         out
     }
 
-    /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform as
-    /// in a package.
+    /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
+    /// as in a package.
     pub(crate) fn ours(&self) -> RgbaImage {
         self.drawn(&self.document)
     }
