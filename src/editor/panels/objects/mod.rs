@@ -56,10 +56,6 @@ impl Objects {
             hint(ui, "Open shows the objects of a scene file, each in its own look.");
             return out.into_iter().map(Command::Scene).collect();
         };
-        words::show(ui, open_scene.scene(), &mut out);
-        if open_scene.scene().objects.is_empty() {
-            hint(ui, "The scene has no objects yet.");
-        }
         let selected = open_scene.selected().map(|(id, _)| id.clone());
         let goal = selected.clone().filter(|_| self.shown_for != selected);
         self.shown_for = selected;
@@ -67,6 +63,10 @@ impl Objects {
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("objects").show(ui, |ui| {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
+            words::show(ui, open_scene.scene(), &mut out);
+            if open_scene.scene().objects.is_empty() {
+                hint(ui, "The scene has no objects yet.");
+            }
             ui.spacing_mut().item_spacing.y = 2.0;
             for (id, object) in &open_scene.scene().objects {
                 let row = self.row(ui, open_scene, id, object, &mut out, &mut commands);
