@@ -5,6 +5,7 @@ pub use chiaro_test_support::*;
 
 pub mod eval;
 pub mod examples;
+pub mod front;
 pub mod halved;
 pub mod handwritten;
 pub mod held;

@@ -2,26 +2,16 @@
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 
-use crate::support::eval::{look, renderer, scene_of, shape, told};
-use crate::support::wait::block_on;
-use chiaro::compile::Live;
-use chiaro::document::{Camera, Projection, Scene};
-use chiaro::frame::{Executor, FramePlan, Picture, PlanOptions, Planner, Setup, SetupLook};
+use crate::support::eval::{look, renderer, scene_of, shape};
+use crate::support::front::{
+    PIXELS, SIZE, drawn, first_numbers, from_front, place, planned, share,
+};
+use chiaro::frame::{Setup, SetupLook};
 use chiaro::geometry::{Mesh, MeshPart};
-use chiaro::library::{Library, PassId};
-use chiaro::progress::Progress;
+use chiaro::library::PassId;
 use chiaro::reference::Reference;
 use glam::{DMat4, DQuat, DVec2, DVec3};
 use serde_json::{Value as Json, json};
-
-/// Width and height of the pictures.
-const SIZE: u32 = 128;
-
-/// Height of what the camera sees, in scene units.
-const SEEN: f64 = 4.0;
-
-/// Pixels to a unit of the scene.
-const PIXELS: f64 = SIZE as f64 / SEEN;
 
 /// A look that shows an output of an outline whose kinds have these shares of the width: of
 /// silhouettes, creases, borders of objects and borders of materials.
@@ -40,50 +30,9 @@ fn shown(output: &str, values: &Json) -> SetupLook {
         "wires": [{"from": format!("lines.{output}"), "to": "output.color"}]}))
 }
 
-/// A scene that is seen along the z axis without perspective, x to the right and y up.
-fn from_front() -> Scene {
-    let camera = Camera {
-        eye: [0.0, 0.0, 10.0],
-        target: [0.0; 3],
-        height: SEEN,
-        projection: Projection::Orthographic,
-        ..Camera::default()
-    };
-    Scene { backdrop: None, camera, ..Scene::default() }
-}
-
-fn planned(setup: &Setup, samples: u32) -> FramePlan {
-    let options = PlanOptions { size: [SIZE; 2], samples, time: 0.0 };
-    let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value
-}
-
-fn drawn(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {
-    let picture = block_on(executor.picture(plan, &Progress::new()));
-    picture.unwrap_or_else(|error| panic!("{}: {error}", executor.name()))
-}
-
 /// The first number of each pixel that shows anything, on the GPU.
 fn on_gpu(setup: &Setup) -> Vec<Option<f64>> {
-    let picture = drawn(&mut *renderer(), &planned(setup, 1));
-    picture.rgba.iter().map(|pixel| (pixel[3] > 0.5).then(|| f64::from(pixel[0]))).collect()
-}
-
-/// A place in pixels from the picture's middle, y up, from a pixel and a place within.
-fn place(pixel: usize, within: DVec2) -> DVec2 {
-    let at = DVec2::new((pixel % SIZE as usize) as f64, (pixel / SIZE as usize) as f64) + within;
-    let middle = 0.5 * f64::from(SIZE);
-    DVec2::new(at.x - middle, middle - at.y)
-}
-
-/// The share of a pixel in which a line is, by 16 x 16 samples.
-fn share(pixel: usize, is_line: &dyn Fn(DVec2) -> bool) -> f64 {
-    const SIDE: usize = 16;
-    let sample = |index: usize| {
-        let at = DVec2::new((index % SIDE) as f64, (index / SIDE) as f64);
-        is_line(place(pixel, (at + 0.5) / SIDE as f64))
-    };
-    (0..SIDE * SIDE).filter(|index| sample(*index)).count() as f64 / (SIDE * SIDE) as f64
+    first_numbers(&drawn(&mut *renderer(), &planned(setup, 1)))
 }
 
 /// Greatest and mean difference of lines from the truth, over those pixels within `area` in which a

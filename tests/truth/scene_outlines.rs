@@ -3,22 +3,14 @@
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 
-use crate::support::eval::{look, renderer, scene_of, shape, told};
-use crate::support::wait::block_on;
-use chiaro::compile::Live;
-use chiaro::document::{Camera, Projection, Scene, SceneOutlines};
-use chiaro::frame::{Executor, FramePlan, Picture, PlanOptions, Planner, Setup, SetupLook};
-use chiaro::library::{Library, PassId};
-use chiaro::progress::Progress;
+use crate::support::eval::{look, renderer, scene_of, shape};
+use crate::support::front::{PIXELS, SIZE, drawn, from_front, place, planned, share};
+use chiaro::document::{Scene, SceneOutlines};
+use chiaro::frame::{Setup, SetupLook};
+use chiaro::library::PassId;
 use chiaro::reference::Reference;
 use glam::{DMat4, DVec2, DVec3};
 use serde_json::json;
-
-/// Width and height of the pictures.
-const SIZE: u32 = 128;
-
-/// Pixels to a unit of the scene.
-const PIXELS: f64 = SIZE as f64 / 4.0;
 
 /// Width of lines, in pixels.
 const WIDTH: f64 = 5.0;
@@ -43,13 +35,6 @@ fn outlines() -> SceneOutlines {
 /// A scene that is seen along the z axis without perspective, x to the right and y up, with a ball
 /// of radius 1, and a wall in front of all that is left of `end` and its lower half.
 fn scene(end: Option<f64>) -> Setup {
-    let camera = Camera {
-        eye: [0.0, 0.0, 10.0],
-        target: [0.0; 3],
-        height: 4.0,
-        projection: Projection::Orthographic,
-        ..Camera::default()
-    };
     let (ball, fitted) = shape("sphere");
     let (wall, _) = shape("plane");
     let mut parts = vec![(white(), ball, fitted)];
@@ -58,37 +43,12 @@ fn scene(end: Option<f64>) -> Setup {
             * DMat4::from_scale(DVec3::splat(10.0));
         parts.push((white(), wall, placed));
     }
-    let outlines = outlines();
-    scene_of(parts, Scene { backdrop: None, camera, outlines, ..Scene::default() })
-}
-
-fn planned(setup: &Setup, samples: u32) -> FramePlan {
-    let options = PlanOptions { size: [SIZE; 2], samples, time: 0.0 };
-    let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value
-}
-
-fn drawn(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {
-    let picture = block_on(executor.picture(plan, &Progress::new()));
-    picture.unwrap_or_else(|error| panic!("{}: {error}", executor.name()))
-}
-
-/// A place in pixels from the picture's middle, y up, from a pixel and a place within.
-fn place(pixel: usize, within: DVec2) -> DVec2 {
-    let at = DVec2::new((pixel % SIZE as usize) as f64, (pixel / SIZE as usize) as f64) + within;
-    let middle = 0.5 * f64::from(SIZE);
-    DVec2::new(at.x - middle, middle - at.y)
+    scene_of(parts, Scene { outlines: outlines(), ..from_front() })
 }
 
 /// The share of a pixel that is within half a line of a radius.
 fn ring(pixel: usize, radius: f64) -> f64 {
-    const SIDE: usize = 16;
-    let is_line = |index: &usize| {
-        let within = DVec2::new((index % SIDE) as f64, (index / SIDE) as f64);
-        let from_middle = place(pixel, (within + 0.5) / SIDE as f64).length();
-        (from_middle - radius).abs() <= 0.5 * WIDTH
-    };
-    (0..SIDE * SIDE).filter(is_line).count() as f64 / (SIDE * SIDE) as f64
+    share(pixel, &|at| (at.length() - radius).abs() <= 0.5 * WIDTH)
 }
 
 /// A line of a ball lies half on the ball and half beside it, where nothing was drawn.

@@ -23,6 +23,7 @@ pub mod host_code;
 mod language;
 mod modules;
 mod msl;
+mod one_file;
 pub mod package;
 mod pretty;
 mod program;

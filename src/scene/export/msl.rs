@@ -1,6 +1,7 @@
 //! Metal Shading Language 2.0: one file with both entry points.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Display;
 
 use naga::back::msl;
 use serde_json::json;
@@ -8,10 +9,11 @@ use serde_json::json;
 use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
-    LanguageModule, Request, TextFile,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
+    TextFile,
 };
-use super::readable::{SourceComments, WrittenText};
+use super::one_file::{NagaText, readable_text};
+use super::readable::WrittenText;
 use super::reflect::{BindingType, BoundVariable};
 use crate::wgsl::ValidModule;
 
@@ -50,14 +52,10 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
             .resources
             .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
     }
-    let valid = module.valid();
-    let (text, names) = naga_text(valid, &resources)?;
-    let points = module.entry_points.iter().zip(names);
-    let points = points.map(|(point, name)| LanguageEntryPoint { stage: point.stage, name });
-    let points: Vec<_> = points.collect();
-    let written = WrittenText { uniforms: uniforms(&text), renamed: BTreeMap::new(), valid, text };
-    let write = |valid: &ValidModule| naga_text(valid, &resources).map(|(text, _)| text);
-    let text = written.readable(&SourceComments::of(module.wgsl()), write)?;
+    let write = |valid: &ValidModule| naga_text(valid, &resources);
+    let (text, points) = readable_text(module, write, |text, valid| {
+        Ok(WrittenText { uniforms: uniforms(&text), renamed: BTreeMap::new(), valid, text })
+    })?;
     let place = |(bound, kind, slot): &(&BoundVariable, &'static str, u8)| {
         LanguageBinding::new(
             &bound.name,
@@ -113,10 +111,7 @@ fn uniforms(text: &str) -> BTreeSet<String> {
 }
 
 /// A module as naga writes it, and the names of its entry points there.
-fn naga_text(
-    valid: &ValidModule,
-    resources: &msl::EntryPointResources,
-) -> Result<(String, Vec<String>), String> {
+fn naga_text(valid: &ValidModule, resources: &msl::EntryPointResources) -> NagaText<impl Display + use<>> {
     let mut options = msl::Options {
         lang_version: (2, 0),
         fake_missing_bindings: false,
@@ -130,9 +125,7 @@ fn naga_text(
     let pipeline = msl::PipelineOptions::default();
     let (text, info) = msl::write_string(&valid.module, &valid.info, &options, &pipeline)
         .map_err(|e| e.to_string())?;
-    let names = info.entry_point_names.into_iter();
-    let names: Result<Vec<_>, _> = names.map(|name| name.map_err(|e| e.to_string())).collect();
-    Ok((text, names?))
+    Ok((text, info.entry_point_names))
 }
 
 /// The name that naga gives to the argument at a slot: `view_1` where another function has an

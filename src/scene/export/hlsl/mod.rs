@@ -7,6 +7,7 @@
 mod lists;
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use naga::back::hlsl;
 use serde_json::json;
@@ -14,10 +15,11 @@ use serde_json::json;
 use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
-    LanguageModule, Request, TextFile,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
+    TextFile,
 };
-use super::readable::{SourceComments, WrittenText};
+use super::one_file::{NagaText, readable_text};
+use super::readable::WrittenText;
 use super::reflect::{BindingType, BoundVariable};
 use crate::wgsl::ValidModule;
 
@@ -55,23 +57,19 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
             .sampler_buffer_binding_map
             .insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
     }
-    let valid = module.valid();
-    let (text, names) = naga_text(valid, &options)?;
-    let points = module.entry_points.iter().zip(names);
-    let points = points.map(|(point, name)| LanguageEntryPoint { stage: point.stage, name });
-    let points: Vec<_> = points.collect();
-    let text = lists::with_lists(&own_samplers(&text)?);
-    let own_names = own_names(&text, &registers);
-    let uniforms = registers.iter().filter(|(bound, ..)| bound.kind == BindingType::Uniform);
-    let uniforms = uniforms.map(|(_, letter, register)| register_name(&text, *letter, *register));
-    let written = WrittenText {
-        uniforms: uniforms.map(str::to_owned).collect(),
-        renamed: own_names,
-        valid,
-        text: text.clone(),
-    };
-    let write = |valid: &ValidModule| naga_text(valid, &options).map(|(text, _)| text);
-    let text = written.readable(&SourceComments::of(module.wgsl()), write)?;
+    let write = |valid: &ValidModule| naga_text(valid, &options);
+    let (text, points) = readable_text(module, write, |text, valid| {
+        let text = lists::with_lists(&own_samplers(&text)?);
+        let uniforms = registers.iter().filter(|(bound, ..)| bound.kind == BindingType::Uniform);
+        let uniforms =
+            uniforms.map(|(_, letter, register)| register_name(&text, *letter, *register));
+        Ok(WrittenText {
+            uniforms: uniforms.map(str::to_owned).collect(),
+            renamed: own_names(&text, &registers),
+            valid,
+            text,
+        })
+    })?;
     let place = |(bound, letter, register): &(&BoundVariable, char, u32)| {
         let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
         LanguageBinding::new(&bound.name, register_name(&text, *letter, *register), &at)
@@ -118,17 +116,12 @@ fn registers(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, char, u32)> {
 }
 
 /// A module as naga writes it, and the names of its entry points there.
-fn naga_text(
-    valid: &ValidModule,
-    options: &hlsl::Options,
-) -> Result<(String, Vec<String>), String> {
+fn naga_text(valid: &ValidModule, options: &hlsl::Options) -> NagaText<impl Display + use<>> {
     let mut text = String::new();
     let pipeline = hlsl::PipelineOptions::default();
     let mut writer = hlsl::Writer::new(&mut text, options, &pipeline);
     let info = writer.write(&valid.module, &valid.info, None).map_err(|error| error.to_string())?;
-    let names = info.entry_point_names.into_iter();
-    let names: Result<Vec<_>, _> = names.map(|name| name.map_err(|e| e.to_string())).collect();
-    Ok((text, names?))
+    Ok((text, info.entry_point_names))
 }
 
 /// The bindings' own names for those that naga gives to their variables, where nothing else of the
