@@ -169,11 +169,8 @@ pub fn run() -> Outcome {
         Err(error) if error.use_stderr() => {
             // The parser takes a mistyped command for a file, which no arguments may follow.
             let first = std::env::args_os().nth(1).map(PathBuf::from);
-            let is_command = |word: &PathBuf| {
-                let command = command();
-                let mut known = command.get_subcommands().map(clap::Command::get_name);
-                word == Path::new("help") || known.any(|known| word == Path::new(known))
-            };
+            let is_command =
+                |word: &PathBuf| subcommands().iter().any(|known| word == Path::new(known));
             match first.filter(|word| !is_command(word) && is_mistyped(word)) {
                 Some(word) => unknown_subcommand(&word).exit(),
                 None => error.exit(),
@@ -273,16 +270,21 @@ fn is_mistyped(word: &Path) -> bool {
     !is_option && !word.exists() && word.extension().is_none() && word.components().count() == 1
 }
 
+/// Names of the subcommands, with those that the parser adds by itself, such as `help`.
+fn subcommands() -> Vec<String> {
+    let mut command = command();
+    command.build();
+    command.get_subcommands().map(|subcommand| subcommand.get_name().to_owned()).collect()
+}
+
 fn unknown_subcommand(word: &Path) -> clap::Error {
-    let mut command = Arguments::command();
     let word = word.to_string_lossy();
-    let alike = |name: &&str| strsim::damerau_levenshtein(name, &word) <= 2;
-    let near =
-        command.get_subcommands().map(clap::Command::get_name).find(alike).map(str::to_owned);
+    let alike = |name: &String| strsim::damerau_levenshtein(name, &word) <= 2;
+    let near = subcommands().into_iter().find(alike);
     let tip = near.map_or_else(String::new, |near| {
         format!("\n\n  tip: a similar subcommand exists: '{near}'")
     });
-    command.error(
+    command().error(
         ErrorKind::InvalidSubcommand,
         format!("unrecognized subcommand or file '{word}'{tip}"),
     )
@@ -308,6 +310,7 @@ mod tests {
             assert_eq!(is_mistyped(Path::new(word)), is_mistyped_one, "{word}");
         }
         let told = unknown_subcommand(Path::new("rendr")).to_string();
+        assert!(subcommands().iter().any(|name| name == "help"));
         assert!(
             told.contains("'rendr'") && (cfg!(not(feature = "gpu")) || told.contains("'render'")),
             "{told}"

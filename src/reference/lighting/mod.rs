@@ -10,7 +10,7 @@ use super::probe::WireValue;
 use super::surface::ProbedSurface;
 use crate::diag::Diagnostic;
 use crate::document::{LightKind, LightRelation, LightValues, Look, Node};
-use crate::frame::{FramePlan, LayerReach, LightReach, Setup};
+use crate::frame::{FramePlan, LightReach, Setup};
 use crate::ids::{LightId, NodePath};
 use crate::library::Library;
 
@@ -68,19 +68,15 @@ pub fn light_accounts(
     let Some(object) = setup.objects.iter().find(|object| object.id == draw.object) else {
         return Ok(Vec::new());
     };
-    let Some(look) = object.look_of(draw).and_then(|look| setup.looks.get(look)) else {
-        return Ok(Vec::new());
-    };
+    let Some(index) = object.look_of(draw) else { return Ok(Vec::new()) };
+    let Some(look) = setup.looks.get(index) else { return Ok(Vec::new()) };
     let lights = setup.object_lights(plan, draw, time)?;
-    let is_kept_away = |layer: &LayerReach| {
-        let (is_of_object, is_of_look) = (layer.object == object.id, layer.look == look.look.name);
-        let is_layer = layer.reach.relation == LightRelation::Layered && !layer.reach.reaches;
-        is_of_object && is_of_look && is_layer
-    };
-    let mut kept_away = setup.layer_reach(library, time);
-    kept_away.retain(is_kept_away);
+    let reach = setup.light_reach_of(object);
+    let mut kept_away = setup.layer_reach_of((object, index), &reach, library, time);
+    kept_away
+        .retain(|layer| layer.reach.relation == LightRelation::Layered && !layer.reach.reaches);
     let mut accounts = Vec::new();
-    for reach in setup.light_reach().into_iter().filter(|reach| reach.object == object.id) {
+    for reach in reach {
         let Some(values) = lights.get(&reach.light) else { continue };
         if let Some(mut account) = account(setup, values, reach, surface)? {
             if account.reaches {

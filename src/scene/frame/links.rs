@@ -59,27 +59,40 @@ impl Setup {
     /// Every visible object with the nodes of its looks that are about lights, at a time in
     /// seconds.
     pub fn layer_reach(&self, library: &Library, time: f64) -> Vec<LayerReach> {
-        let (reach, mut found) = (self.light_reach(), Vec::new());
+        let (mix, mut found) = (self.light_mix(), Vec::new());
         for object in &self.objects {
-            let dark = reach.iter().filter(|cell| cell.object == object.id && !cell.reaches);
-            let dark: HashMap<&LightId, &str> =
-                dark.map(|cell| (&cell.light, cell.words.as_str())).collect();
+            let lights = self.light_reach_with(&mix, object);
             for look in object.worn_looks().collect::<BTreeSet<usize>>() {
-                let worn = self.worn(look, object, time);
-                for mut reach in node_reach(&worn, library) {
-                    if let Some(words) = dark.get(&reach.light) {
-                        if reach.relation == LightRelation::Filtered {
-                            continue;
-                        }
-                        reach.reaches = false;
-                        reach.words = (*words).to_owned();
-                    }
-                    let (object, look) = (object.id.clone(), worn.name.clone());
-                    found.push(LayerReach { object, look, reach });
-                }
+                found.extend(self.layer_reach_of((object, look), &lights, library, time));
             }
         }
         found
+    }
+
+    /// The nodes that are about lights of one look that an object wears, at a time in seconds;
+    /// `lights` is the object's own [`light_reach_of`](Self::light_reach_of).
+    pub fn layer_reach_of(
+        &self,
+        (object, look): (&SetupObject, usize),
+        lights: &[LightReach],
+        library: &Library,
+        time: f64,
+    ) -> Vec<LayerReach> {
+        let dark = lights.iter().filter(|cell| !cell.reaches);
+        let dark: HashMap<&LightId, &str> =
+            dark.map(|cell| (&cell.light, cell.words.as_str())).collect();
+        let worn = self.worn(look, object, time);
+        let of_node = |mut reach: NodeReach| {
+            if let Some(words) = dark.get(&reach.light) {
+                if reach.relation == LightRelation::Filtered {
+                    return None;
+                }
+                reach.reaches = false;
+                reach.words = (*words).to_owned();
+            }
+            Some(LayerReach { object: object.id.clone(), look: worn.name.clone(), reach })
+        };
+        node_reach(&worn, library).into_iter().filter_map(of_node).collect()
     }
 
     /// Every light with every pair of visible objects, of which one may cast its shadow onto the
@@ -159,18 +172,25 @@ impl Setup {
     /// Every visible object with every light that it is about, by object.
     pub fn light_reach(&self) -> Vec<LightReach> {
         let mix = self.light_mix();
-        let mut found = Vec::new();
-        for object in &self.objects {
-            let link = &object.light_link;
-            for (light, rule) in link.rules(&self.lights_about(object)) {
-                let out = mix.out().get(&light).filter(|_| rule == LinkRule::Linked);
-                let of_link = || link.words(LightRelation::Linked, rule);
-                let words = out.map_or_else(of_link, |why| why.clone().into_owned());
-                let reaches = rule == LinkRule::Linked && out.is_none();
-                found.push(LightReach { object: object.id.clone(), light, reaches, words });
-            }
-        }
-        found
+        let of_object = |object: &SetupObject| self.light_reach_with(&mix, object);
+        self.objects.iter().flat_map(of_object).collect()
+    }
+
+    /// Every light that an object is about.
+    pub fn light_reach_of(&self, object: &SetupObject) -> Vec<LightReach> {
+        self.light_reach_with(&self.light_mix(), object)
+    }
+
+    fn light_reach_with(&self, mix: &LightMix, object: &SetupObject) -> Vec<LightReach> {
+        let link = &object.light_link;
+        let of_light = |(light, rule): (LightId, LinkRule)| {
+            let out = mix.out().get(&light).filter(|_| rule == LinkRule::Linked);
+            let of_link = || link.words(LightRelation::Linked, rule);
+            let words = out.map_or_else(of_link, |why| why.clone().into_owned());
+            let reaches = rule == LinkRule::Linked && out.is_none();
+            LightReach { object: object.id.clone(), light, reaches, words }
+        };
+        link.rules(&self.lights_about(object)).into_iter().map(of_light).collect()
     }
 }
 

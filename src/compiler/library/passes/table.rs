@@ -75,8 +75,16 @@ const SHARES_READ: &[PassInput] = &[
     PassInput { binding: "slices", pass: "near_slices", output: "shares" },
 ];
 
-/// Constants of the passes that look for edges of all surfaces, on both sides.
-const OF_ALL: &[(&str, i32)] = &[("STEPS", 16), ("OF_ALL", 1)];
+/// Constants of a pass that looks for the nearest edges, its steps first, and the pixels at which it
+/// finds any.
+type EdgeSearch = (&'static [(&'static str, i32)], ScreenExtent);
+
+/// Search for the edges of the surface that a pixel shows, as far as the widest lines reach.
+const OF_SURFACE: EdgeSearch = (&[("STEPS", 16)], ScreenExtent::Surface);
+/// The same, half as far.
+const OF_SURFACE_NEARBY: EdgeSearch = (&[("STEPS", 8)], ScreenExtent::Surface);
+/// Search for the edges of all surfaces, on both sides.
+const OF_ALL: EdgeSearch = (&[("STEPS", 16), ("OF_ALL", 1)], ScreenExtent::Around);
 
 /// Steps of 1/800 of the picture's height that a scene's lines reach from their edges: half of the
 /// greatest width, and what rounding and antialiasing take.
@@ -119,7 +127,7 @@ const fn columns(
     slug: &'static str,
     label: &'static str,
     reads: &'static [PassInput],
-    steps: &'static [(&'static str, i32)],
+    (steps, extent): EdgeSearch,
 ) -> PassRow {
     PassRow {
         slug,
@@ -128,7 +136,7 @@ const fn columns(
             shader: "edge_columns",
             constants: steps,
             reach: steps[0].1 as u32,
-            extent: if steps.len() > 1 { ScreenExtent::Around } else { ScreenExtent::Surface },
+            extent,
         },
         reads,
         writes: EDGES,
@@ -143,7 +151,7 @@ const fn columns(
 const fn lines(
     (slug, label, map): (&'static str, &'static str, &'static str),
     reads: &'static [PassInput],
-    steps: &'static [(&'static str, i32)],
+    (steps, extent): EdgeSearch,
 ) -> PassRow {
     PassRow {
         slug,
@@ -152,7 +160,7 @@ const fn lines(
             shader: "line_nearness",
             constants: steps,
             reach: steps[0].1 as u32,
-            extent: if steps.len() > 1 { ScreenExtent::Around } else { ScreenExtent::Surface },
+            extent,
         },
         reads,
         writes: NEARNESS,
@@ -314,10 +322,10 @@ pub(super) const TABLE: &[PassRow] = &[
         result: "edges are",
         help: "Finds where surfaces end, fold and meet.",
     },
-    columns("edge_columns", "edge columns", COLUMNS_READ, &[("STEPS", 16)]),
-    lines(("line_nearness", "lines", "line_nearness_map"), LINES_READ, &[("STEPS", 16)]),
-    columns("edge_columns_short", "edge columns nearby", COLUMNS_READ, &[("STEPS", 8)]),
-    lines(("line_nearness_short", "lines nearby", "line_short_map"), SHORT_READ, &[("STEPS", 8)]),
+    columns("edge_columns", "edge columns", COLUMNS_READ, OF_SURFACE),
+    lines(("line_nearness", "lines", "line_nearness_map"), LINES_READ, OF_SURFACE),
+    columns("edge_columns_short", "edge columns nearby", COLUMNS_READ, OF_SURFACE_NEARBY),
+    lines(("line_nearness_short", "lines nearby", "line_short_map"), SHORT_READ, OF_SURFACE_NEARBY),
     PassRow {
         slug: "hidden_facets",
         label: "hidden facets",
